@@ -1,0 +1,125 @@
+//! Which shapes to test, and in which order.
+//!
+//! All accelerators answer alike, bit for bit: the hit with the smallest t, and of equal t the smallest primitive id.
+//! They differ only in how many tests they need. [`List`] tests everything; it is the slow twin that the others are
+//! tested against.
+
+pub mod list;
+
+pub use list::List;
+
+use crate::geometry::{Hit, Intersection, Shape, Shear};
+use crate::math::{Interval, Ray};
+use crate::probe::{Event, Probe, Verdict};
+
+/// Which accelerator to build.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AccelKind {
+    /// Test every shape.
+    List,
+    /// A BSP tree; which planes split is decided by the scene.
+    #[default]
+    Bsp,
+    /// A BSP tree split along the axes by the surface area heuristic.
+    BspAxis,
+    /// A BSP tree split by the planes of the scene's own polygons, as in the lectures.
+    BspPolygon,
+}
+
+/// An acceleration structure over a scene's primitives.
+#[derive(Clone, Debug)]
+pub enum Accel {
+    /// Test every shape.
+    List(List),
+}
+
+/// A ray with what is computed once for all the tests that it goes through.
+#[derive(Clone, Copy, Debug)]
+pub struct Query<'a> {
+    shapes: &'a [Shape],
+    /// The ray.
+    pub ray: Ray,
+    shear: Shear,
+    /// The part of it that counts.
+    pub interval: Interval,
+}
+
+impl Accel {
+    /// Builds the structure over `shapes`, whose indices become the primitive ids.
+    pub fn build(_kind: AccelKind, shapes: &[Shape]) -> Self {
+        Self::List(List::build(shapes))
+    }
+
+    /// The closest hit of `ray` inside `interval`.
+    pub fn closest<P: Probe>(
+        &self,
+        shapes: &[Shape],
+        ray: &Ray,
+        interval: Interval,
+        probe: &mut P,
+    ) -> Option<Hit> {
+        let query = Query::new(shapes, ray, interval);
+        match self {
+            Self::List(list) => list.closest(&query, probe),
+        }
+    }
+
+    /// Some hit of `ray` inside `interval`, the first that turns up: all that a shadow ray asks for. Whether there
+    /// is one does not depend on the accelerator; which one it is may.
+    pub fn any<P: Probe>(
+        &self,
+        shapes: &[Shape],
+        ray: &Ray,
+        interval: Interval,
+        probe: &mut P,
+    ) -> Option<Hit> {
+        let query = Query::new(shapes, ray, interval);
+        match self {
+            Self::List(list) => list.any(&query, probe),
+        }
+    }
+}
+
+impl<'a> Query<'a> {
+    /// Prepares `ray` for tests against `shapes`.
+    pub fn new(shapes: &'a [Shape], ray: &Ray, interval: Interval) -> Self {
+        Self {
+            shapes,
+            ray: *ray,
+            shear: Shear::new(ray),
+            interval,
+        }
+    }
+
+    /// Tests one primitive; if it is hit closer than `best`, or as close with a smaller id, it becomes the best.
+    #[inline]
+    pub fn test<P: Probe>(&self, primitive: u32, best: &mut Option<Hit>, probe: &mut P) {
+        let shape = &self.shapes[primitive as usize];
+        let found = shape.intersect(&self.ray, &self.shear, self.interval);
+        let (verdict, t) = match found {
+            Intersection::Hit { t, barycentric } => {
+                let closer = best.is_none_or(|b| (t, primitive) < (b.t, b.primitive));
+                if closer {
+                    *best = Some(Hit {
+                        t,
+                        primitive,
+                        barycentric,
+                    });
+                    (Verdict::Hit, t)
+                } else {
+                    (Verdict::TooFar, t)
+                }
+            }
+            Intersection::Behind(t) => (Verdict::Behind, t),
+            Intersection::TooFar(t) => (Verdict::TooFar, t),
+            Intersection::Miss => (Verdict::Miss, f64::NAN),
+        };
+        if P::TRAVERSAL {
+            probe.event(Event::Test {
+                primitive,
+                verdict,
+                t,
+            });
+        }
+    }
+}

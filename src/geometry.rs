@@ -1,0 +1,169 @@
+//! Shapes, and where a ray meets them.
+//!
+//! Finding and describing are two steps: [`Shape::intersect`] says only *where* on the ray, as often as there are
+//! candidates; [`Shape::surface`] describes the one point that was chosen.
+
+pub mod aabb;
+pub mod cuboid;
+pub mod plane;
+pub mod sphere;
+pub mod triangle;
+
+pub use aabb::Aabb;
+pub use cuboid::Cuboid;
+pub use plane::Plane;
+pub use sphere::Sphere;
+pub use triangle::{Shear, Triangle};
+
+use crate::math::{DVec2, DVec3, Interval, Ray, Transform};
+
+/// What testing one shape against one ray found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Intersection {
+    /// The first crossing inside the interval.
+    Hit {
+        /// The ray parameter.
+        t: f64,
+        /// For triangles the weights of the three corners, which sum to 1; zeros for other shapes.
+        barycentric: [f64; 3],
+    },
+    /// The ray's line crosses the shape, but at or before the start of the interval.
+    Behind(f64),
+    /// The ray crosses the shape, but at or after the end of the interval.
+    TooFar(f64),
+    /// The ray's line does not cross the shape.
+    Miss,
+}
+
+impl Intersection {
+    /// A crossing at `t`, put in its place before, inside or behind the interval. NaN is a miss.
+    pub fn classify(t: f64, barycentric: [f64; 3], interval: Interval) -> Self {
+        if interval.contains(t) {
+            Self::Hit { t, barycentric }
+        } else if t <= interval.min {
+            Self::Behind(t)
+        } else if t >= interval.max {
+            Self::TooFar(t)
+        } else {
+            Self::Miss
+        }
+    }
+
+    /// The first of two crossings t0 <= t1 of a solid that lies inside the interval.
+    pub fn first_of(t0: f64, t1: f64, interval: Interval) -> Self {
+        match Self::classify(t0, [0.0; 3], interval) {
+            Self::Behind(_) => Self::classify(t1, [0.0; 3], interval),
+            found => found,
+        }
+    }
+}
+
+/// The closest thing a ray met: which primitive, and where on the ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The ray parameter, in metres along a world-space ray.
+    pub t: f64,
+    /// Index into the scene's primitives.
+    pub primitive: u32,
+    /// Weights of a triangle's corners; zeros for other shapes.
+    pub barycentric: [f64; 3],
+}
+
+/// A point on a surface, in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// The point.
+    pub point: DVec3,
+    /// How far the true surface may be from `point`, per axis (a bound, not an estimate).
+    pub error: DVec3,
+    /// The unit normal of the shape itself, pointing outwards (triangles: the side that sees the corners run
+    /// counter-clockwise).
+    pub normal: DVec3,
+    /// Surface coordinates: see each shape.
+    pub uv: DVec2,
+}
+
+/// A shape in the world: the closed set of what can be hit.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// A flat triangle.
+    Triangle(Triangle),
+    /// A sphere.
+    Sphere(Sphere),
+    /// An endless plane.
+    Plane(Plane),
+    /// A box with faces along the axes.
+    Cuboid(Cuboid),
+    /// A sphere or box that was turned or stretched: tested in its own space.
+    Placed(Box<Placed>),
+}
+
+/// A shape in its own space, and the way from there into the world.
+#[derive(Clone, Debug)]
+pub struct Placed {
+    /// The shape in object space.
+    pub shape: Shape,
+    /// Object space to world space.
+    pub transform: Transform,
+}
+
+impl Shape {
+    /// Where `ray` first crosses the shape inside `interval`. `shear` is [`Shear::new`] of the same ray.
+    pub fn intersect(&self, ray: &Ray, shear: &Shear, interval: Interval) -> Intersection {
+        match self {
+            Self::Triangle(triangle) => triangle.intersect(shear, interval),
+            Self::Sphere(sphere) => sphere.intersect(ray, interval),
+            Self::Plane(plane) => plane.intersect(ray, interval),
+            Self::Cuboid(cuboid) => cuboid.intersect(ray, interval),
+            Self::Placed(placed) => {
+                let ray = placed.transform.ray_to_object(ray);
+                placed.shape.intersect(&ray, &Shear::new(&ray), interval)
+            }
+        }
+    }
+
+    /// The point at which `ray` crosses the shape, as found by [`Shape::intersect`].
+    pub fn surface(&self, ray: &Ray, t: f64, barycentric: [f64; 3]) -> SurfacePoint {
+        match self {
+            Self::Triangle(triangle) => triangle.surface(barycentric),
+            Self::Sphere(sphere) => sphere.surface(ray, t),
+            Self::Plane(plane) => plane.surface(ray, t),
+            Self::Cuboid(cuboid) => cuboid.surface(ray, t),
+            Self::Placed(placed) => {
+                let ray = placed.transform.ray_to_object(ray);
+                let local = placed.shape.surface(&ray, t, barycentric);
+                SurfacePoint {
+                    point: placed.transform.point(local.point),
+                    error: placed.transform.point_error(local.point, local.error),
+                    normal: placed.transform.normal(local.normal),
+                    uv: local.uv,
+                }
+            }
+        }
+    }
+
+    /// A box around the shape that contains it whatever was rounded; `None` if the shape has no end.
+    pub fn bounds(&self) -> Option<Aabb> {
+        match self {
+            Self::Triangle(triangle) => Some(triangle.bounds()),
+            Self::Sphere(sphere) => Some(sphere.bounds()),
+            Self::Plane(_) => None,
+            Self::Cuboid(cuboid) => Some(cuboid.bounds),
+            Self::Placed(placed) => placed
+                .shape
+                .bounds()
+                .map(|b| b.transformed(&placed.transform)),
+        }
+    }
+
+    /// What the shape is called in what a user reads.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Triangle(_) => "triangle",
+            Self::Sphere(_) => "sphere",
+            Self::Plane(_) => "plane",
+            Self::Cuboid(_) => "box",
+            Self::Placed(placed) => placed.shape.kind(),
+        }
+    }
+}

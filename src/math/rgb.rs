@@ -1,0 +1,135 @@
+//! Colours: linear RGB radiance, or a factor of it per channel.
+
+use std::ops::{Add, AddAssign, Mul};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Red, green and blue, linear. As a radiance any finite value from 0 up; as a coefficient usually 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(from = "[f64; 3]", into = "[f64; 3]")]
+#[schemars(with = "[f64; 3]")]
+pub struct Rgb {
+    /// Red.
+    pub r: f64,
+    /// Green.
+    pub g: f64,
+    /// Blue.
+    pub b: f64,
+}
+
+impl Rgb {
+    /// No light.
+    pub const BLACK: Self = Self::grey(0.0);
+    /// One in each channel.
+    pub const WHITE: Self = Self::grey(1.0);
+
+    /// A colour from its three channels.
+    pub const fn new(r: f64, g: f64, b: f64) -> Self {
+        Self { r, g, b }
+    }
+
+    /// The same value in each channel.
+    pub const fn grey(value: f64) -> Self {
+        Self::new(value, value, value)
+    }
+
+    /// The channels in order.
+    pub const fn channels(self) -> [f64; 3] {
+        [self.r, self.g, self.b]
+    }
+
+    /// The largest channel: what a ray can contribute at most, for the weight threshold.
+    pub fn max_channel(self) -> f64 {
+        self.r.max(self.g).max(self.b)
+    }
+
+    /// True if every channel is exactly 0.
+    pub fn is_black(self) -> bool {
+        self.channels() == [0.0; 3]
+    }
+
+    /// True if no channel is NaN or infinite.
+    pub fn is_finite(self) -> bool {
+        self.channels().iter().all(|c| c.is_finite())
+    }
+
+    /// The same function applied to each channel.
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self::new(f(self.r), f(self.g), f(self.b))
+    }
+
+    /// Relative luminance Y of linear sRGB (ITU-R BT.709): the brightness that a text ramp shows.
+    pub fn luminance(self) -> f64 {
+        0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
+    }
+
+    /// What a screen shows: clamp to [0, 1] (only here, at the very end), sRGB curve, 8 bits a channel.
+    pub fn to_srgb8(self) -> [u8; 3] {
+        self.channels()
+            .map(|c| (srgb_curve(c.clamp(0.0, 1.0)) * 255.0).round() as u8)
+    }
+}
+
+/// The transfer curve of sRGB (IEC 61966-2-1): linear [0, 1] to encoded [0, 1].
+fn srgb_curve(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
+    }
+}
+
+impl From<[f64; 3]> for Rgb {
+    fn from([r, g, b]: [f64; 3]) -> Self {
+        Self { r, g, b }
+    }
+}
+
+impl From<Rgb> for [f64; 3] {
+    fn from(rgb: Rgb) -> Self {
+        rgb.channels()
+    }
+}
+
+impl Add for Rgb {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self::new(self.r + o.r, self.g + o.g, self.b + o.b)
+    }
+}
+
+impl AddAssign for Rgb {
+    fn add_assign(&mut self, o: Self) {
+        *self = *self + o;
+    }
+}
+
+impl Mul for Rgb {
+    type Output = Self;
+    fn mul(self, o: Self) -> Self {
+        Self::new(self.r * o.r, self.g * o.g, self.b * o.b)
+    }
+}
+
+impl Mul<f64> for Rgb {
+    type Output = Self;
+    fn mul(self, s: f64) -> Self {
+        Self::new(self.r * s, self.g * s, self.b * s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn srgb_has_its_published_values() {
+        // 0.214041 is the linear value of sRGB 0.5 (127.5): IEC 61966-2-1.
+        assert_eq!(Rgb::grey(0.0).to_srgb8(), [0; 3]);
+        assert_eq!(Rgb::grey(0.214_04).to_srgb8(), [127; 3]);
+        assert_eq!(Rgb::grey(0.214_05).to_srgb8(), [128; 3]);
+        assert_eq!(Rgb::grey(7.0).to_srgb8(), [255; 3]);
+        assert_eq!(Rgb::grey(-1.0).to_srgb8(), [0; 3]);
+    }
+}

@@ -1,0 +1,296 @@
+//! The words in which the tracer speaks.
+//!
+//! One function follows rays ([`crate::tracer`]); whoever wants to know what it does listens as a [`Probe`]. With
+//! [`Silent`] every call compiles to nothing, so the picture pays nothing for being explainable.
+//!
+//! Events carry decisions and ids, not derivations: what can be computed again from them with the tracer's own
+//! functions is not stored. They are plain `Copy` data of at most 96 bytes, so that a log of millions stays small.
+
+use crate::geometry::Hit;
+use crate::math::{DVec3, Rgb};
+
+/// Something that wants to know what the tracer does.
+pub trait Probe {
+    /// Whether the steps through the acceleration structure are wanted as well. Constant, so that traversal code can
+    /// leave out what nobody hears.
+    const TRAVERSAL: bool;
+
+    /// Called once for everything that happens, in order.
+    fn event(&mut self, event: Event);
+}
+
+/// Listens to nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Silent;
+
+impl Probe for Silent {
+    const TRAVERSAL: bool = false;
+
+    #[inline(always)]
+    #[expect(
+        clippy::inline_always,
+        reason = "free of cost is a promise, in debug builds too"
+    )]
+    fn event(&mut self, _: Event) {}
+}
+
+/// The four kinds of ray, named as in the lectures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum RayKind {
+    /// I, incident: from the eye.
+    Incident,
+    /// L, to a light (a shadow ray).
+    Light,
+    /// R, reflected.
+    Reflected,
+    /// T, transmitted (refracted).
+    Transmitted,
+}
+
+impl RayKind {
+    /// All kinds, in the order in which a hit sends them.
+    pub const ALL: [Self; 4] = [
+        Self::Incident,
+        Self::Light,
+        Self::Reflected,
+        Self::Transmitted,
+    ];
+
+    /// The letter of the lectures.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::Incident => "I",
+            Self::Light => "L",
+            Self::Reflected => "R",
+            Self::Transmitted => "T",
+        }
+    }
+}
+
+/// "No such thing" where an event names a light or an object by index.
+pub const NONE: u32 = u32::MAX;
+
+/// What happens while a pixel is traced. A ray's events stand between its `Ray` and its `Return`; those of the rays
+/// that it sends stand in between, so the log is the ray tree written depth first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// A sample of the pixel begins.
+    Sample {
+        /// Its number.
+        index: u32,
+        /// Its place on the film, in pixels from the top left corner.
+        film: [f64; 2],
+        /// Its weight in the pixel's sum.
+        weight: f64,
+    },
+    /// A ray is sent.
+    Ray(RaySent),
+    /// The ray visits a node of the acceleration structure.
+    Visit(Visit),
+    /// The ray is tested against a primitive.
+    Test {
+        /// Index into the scene's primitives.
+        primitive: u32,
+        /// What was found.
+        verdict: Verdict,
+        /// Where, if the ray's line crosses the primitive at all; else NaN.
+        t: f64,
+    },
+    /// An I, R or T ray ends on a surface.
+    Hit(Hit),
+    /// An I, R or T ray leaves the scene.
+    Miss,
+    /// An L ray reaches its light.
+    Lit,
+    /// An L ray is stopped by this.
+    Blocked(Hit),
+    /// A term of the shading equation is added to the ray's radiance.
+    Term {
+        /// Which term.
+        term: Term,
+        /// The light that it comes from, or [`NONE`].
+        light: u32,
+        /// What is added.
+        value: Rgb,
+    },
+    /// A ray is not sent.
+    Absent {
+        /// The ray that could have been.
+        kind: RayKind,
+        /// For L rays the light, else [`NONE`].
+        light: u32,
+        /// Why not.
+        reason: Absence,
+    },
+    /// The ray is done.
+    Return {
+        /// What it brings back: the sum of its terms and of its weighted R and T rays; black for L rays.
+        radiance: Rgb,
+    },
+}
+
+/// A ray as it is sent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RaySent {
+    /// Its kind.
+    pub kind: RayKind,
+    /// Bounces since the eye.
+    pub depth: u32,
+    /// For L rays the light, else [`NONE`].
+    pub light: u32,
+    /// The object in whose medium it travels, or [`NONE`] for the scene's air.
+    pub medium: u32,
+    /// Where it starts.
+    pub origin: DVec3,
+    /// Where it goes (unit).
+    pub direction: DVec3,
+    /// Where it ends: infinite, or for L rays the distance to the light.
+    pub t_max: f64,
+    /// Its factor in the parent's sum. White for I and L rays.
+    pub weight: Rgb,
+}
+
+/// A step through a tree of nodes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Visit {
+    /// The node.
+    pub node: u32,
+    /// The part of the ray that is inside it.
+    pub interval: [f64; 2],
+    /// Where the ray crosses the splitting plane; NaN for a leaf or if it never does.
+    pub t_split: f64,
+    /// The child on the side that the ray comes from, or [`NONE`].
+    pub near: u32,
+    /// The other child, or [`NONE`].
+    pub far: u32,
+    /// What is done.
+    pub choice: Choice,
+}
+
+/// Which children of a node are visited, and why not the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// A leaf: its primitives are tested.
+    Leaf,
+    /// The plane is crossed within the interval: near, then far.
+    Both,
+    /// The plane is crossed only behind the interval: the far side is skipped.
+    NearSplitBeyond,
+    /// The ray runs away from the plane, or along it: the far side is skipped.
+    NearRunsAway,
+    /// The plane is crossed before the interval: the near side is skipped.
+    FarSplitBefore,
+    /// Skipped whole: a closer hit is known than where the ray enters the node.
+    SkippedCloserHit,
+    /// Skipped whole: the ray misses the box around everything.
+    SkippedOutside,
+}
+
+/// What the test of one primitive found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The closest hit so far (for L rays: a blocker).
+    Hit,
+    /// Not crossed.
+    Miss,
+    /// Crossed behind the closest hit so far, or behind the light.
+    TooFar,
+    /// Crossed behind the ray's origin.
+    Behind,
+}
+
+/// The terms of the shading equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Term {
+    /// What the surface sends out by itself.
+    Emission,
+    /// Ambient light, once a hit.
+    Ambient,
+    /// Kd I (N.L), once a light.
+    Diffuse,
+    /// Ks I (R.V)^n, once a light.
+    Specular,
+    /// What a ray brings back that hit nothing.
+    Background,
+}
+
+impl Term {
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Emission => "emission",
+            Self::Ambient => "ambient",
+            Self::Diffuse => "diffuse",
+            Self::Specular => "specular",
+            Self::Background => "background",
+        }
+    }
+}
+
+/// Why a ray was not sent. Absence is recorded as carefully as presence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Absence {
+    /// Snell's law has no answer: k = 1 - (n1/n2)^2 (1 - cos^2) is negative.
+    TotalInternalReflection {
+        /// The negative number under the root.
+        k: f64,
+    },
+    /// The material reflects nothing.
+    NoReflection,
+    /// The material lets nothing through.
+    NoTransmission,
+    /// The material has no diffuse and no specular coefficient, so lights do not matter.
+    NoLocalLight,
+    /// The light is behind the surface.
+    FacingAway {
+        /// The cosine between normal and light.
+        n_dot_l: f64,
+    },
+    /// The point lies outside the spot light's cone.
+    OutsideCone {
+        /// The cosine between the spot's axis and the way to the point.
+        cos_angle: f64,
+    },
+    /// The ray would run into the surface itself: the shading normal leans too far from the geometric one.
+    BelowSurface {
+        /// The cosine between geometric normal and ray.
+        n_dot_r: f64,
+    },
+    /// Its largest possible contribution is under the threshold.
+    MinWeight {
+        /// The largest channel of the throughput it would have had.
+        weight: f64,
+    },
+    /// The depth limit is reached.
+    DepthLimit,
+    /// The pixel's share of the ray budget is used up.
+    RayBudget,
+}
+
+impl Absence {
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::TotalInternalReflection { .. } => "total-internal-reflection",
+            Self::NoReflection => "no-reflection",
+            Self::NoTransmission => "no-transmission",
+            Self::NoLocalLight => "no-local-light",
+            Self::FacingAway { .. } => "facing-away",
+            Self::OutsideCone { .. } => "outside-cone",
+            Self::BelowSurface { .. } => "below-surface",
+            Self::MinWeight { .. } => "min-weight",
+            Self::DepthLimit => "depth-limit",
+            Self::RayBudget => "ray-budget",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_log_of_millions_stays_small() {
+        assert!(size_of::<Event>() <= 104, "{}", size_of::<Event>());
+    }
+}

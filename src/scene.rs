@@ -1,0 +1,202 @@
+//! What there is: the scene as the tracer sees it, resolved, checked and in world space.
+//!
+//! [`file`] reads it from JSON; what passed there cannot make the tracer panic.
+
+pub mod camera;
+pub mod settings;
+
+pub use camera::Camera;
+pub use settings::{Sampling, Settings};
+
+use crate::accel::{Accel, AccelKind};
+use crate::geometry::{Hit, Shape};
+use crate::math::{DVec2, DVec3, Interval, Ray, Rgb};
+use crate::probe::{NONE, Probe, Silent};
+use crate::shading::{Interaction, Light, Material, Media, Side};
+
+/// How many surfaces the search for the eye's own medium crosses at most.
+const MAX_CROSSINGS: usize = 256;
+
+/// The index of refraction of the medium around everything.
+pub const AIR_IOR: f64 = 1.0;
+
+/// A scene, ready to be traced.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// Its name.
+    pub name: String,
+    /// A hash of the files that it was read from: two trees with the same hash are of the same scene.
+    pub hash: String,
+    /// The eye.
+    pub camera: Camera,
+    /// What a ray brings back that hits nothing.
+    pub background: Rgb,
+    /// Ia: light that reaches every surface.
+    pub ambient: Rgb,
+    /// Materials, by index.
+    pub materials: Vec<Material>,
+    /// Lights, by index.
+    pub lights: Vec<Light>,
+    /// Objects, by index.
+    pub objects: Vec<Object>,
+    /// All shapes in world space, by primitive id, those of one object next to each other.
+    pub shapes: Vec<Shape>,
+    /// The object of each primitive.
+    pub owners: Vec<u32>,
+    /// What the scene asks for where a user asks for nothing else.
+    pub settings: Settings,
+    /// What was strange in the files but could be lived with.
+    pub warnings: Vec<String>,
+}
+
+/// A named part of the scene: one material, one or many primitives.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// Its name, unique in the scene; groups are named before it: `group/part`.
+    pub name: String,
+    /// Index of its material.
+    pub material: u32,
+    /// The id of its first primitive.
+    pub first_primitive: u32,
+    /// What the corners of its triangles carry, if it is a mesh that gave any.
+    pub vertices: Option<VertexData>,
+}
+
+/// Normals and texture coordinates at the corners of a mesh's triangles.
+#[derive(Clone, Debug, Default)]
+pub struct VertexData {
+    /// Per triangle of the object: the three indices into `normals`. Empty for a flat mesh.
+    pub normal_indices: Vec<[u32; 3]>,
+    /// Unit normals in world space.
+    pub normals: Vec<DVec3>,
+    /// Per triangle of the object: the three indices into `uvs`. Empty if it has none.
+    pub uv_indices: Vec<[u32; 3]>,
+    /// Texture coordinates.
+    pub uvs: Vec<DVec2>,
+}
+
+impl Scene {
+    /// The object that a primitive belongs to.
+    pub fn object_of(&self, primitive: u32) -> &Object {
+        &self.objects[self.owners[primitive as usize] as usize]
+    }
+
+    /// The material of a primitive.
+    pub fn material_of(&self, primitive: u32) -> &Material {
+        &self.materials[self.object_of(primitive).material as usize]
+    }
+
+    /// The number of a primitive within its object, from 0.
+    pub fn local_index(&self, primitive: u32) -> u32 {
+        primitive - self.object_of(primitive).first_primitive
+    }
+
+    /// The name of the medium inside an object, or of the air around all.
+    pub fn medium_name(&self, object: u32) -> &str {
+        self.medium_object(object)
+            .map_or("air", |o| self.materials[o.material as usize].name.as_str())
+    }
+
+    /// The index of refraction inside an object, or that of the air.
+    pub fn medium_ior(&self, object: u32) -> f64 {
+        self.medium_object(object)
+            .map_or(AIR_IOR, |o| self.materials[o.material as usize].ior)
+    }
+
+    fn medium_object(&self, object: u32) -> Option<&Object> {
+        (object != NONE).then(|| &self.objects[object as usize])
+    }
+
+    /// Describes the place that `hit` found: its point, normals, side and surface coordinates.
+    pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
+        let mut surface = self.shapes[hit.primitive as usize].surface(ray, hit.t, hit.barycentric);
+        let mut normal = None;
+        if let Some(data) = &self.object_of(hit.primitive).vertices {
+            let triangle = self.local_index(hit.primitive) as usize;
+            normal = data.normal(triangle, hit.barycentric);
+            if let Some(uv) = data.uv(triangle, hit.barycentric) {
+                surface.uv = uv;
+            }
+        }
+        Interaction::new(&surface, ray.direction, normal)
+    }
+}
+
+impl VertexData {
+    /// The corners' normals, blended by the areas opposite to them (Phong 1975): unit, or `None` if the mesh is flat
+    /// or they cancel out.
+    pub fn normal(&self, triangle: usize, [u, v, w]: [f64; 3]) -> Option<DVec3> {
+        let [a, b, c] = *self.normal_indices.get(triangle)?;
+        let n = |i: u32| self.normals[i as usize];
+        (u * n(a) + v * n(b) + w * n(c)).try_normalize()
+    }
+
+    /// The corners' texture coordinates, blended likewise.
+    pub fn uv(&self, triangle: usize, [u, v, w]: [f64; 3]) -> Option<DVec2> {
+        let [a, b, c] = *self.uv_indices.get(triangle)?;
+        let p = |i: u32| self.uvs[i as usize];
+        Some(u * p(a) + v * p(b) + w * p(c))
+    }
+}
+
+/// A scene and the acceleration structure over it: what can be traced.
+#[derive(Clone, Debug)]
+pub struct World {
+    /// The scene.
+    pub scene: Scene,
+    /// The structure over its shapes.
+    pub accel: Accel,
+    /// The transparent objects that the eye is inside of.
+    pub eye_media: Media,
+}
+
+impl World {
+    /// Builds the acceleration structure.
+    pub fn new(scene: Scene, kind: AccelKind) -> Self {
+        let accel = Accel::build(kind, &scene.shapes);
+        let eye_media = Media::AIR;
+        let mut world = Self {
+            scene,
+            accel,
+            eye_media,
+        };
+        world.eye_media = world.media_around_eye();
+        world
+    }
+
+    /// What the eye is inside of: follow a straight line from it to the end of the scene; every transparent object
+    /// that is left without having been entered is one. Outermost first, so those left last are put in first.
+    fn media_around_eye(&self) -> Media {
+        let direction = -self.scene.camera.frame.w;
+        let mut ray = Ray::new(self.scene.camera.eye, direction);
+        let (mut inside, mut left) = (Media::AIR, Vec::new());
+        for _ in 0..MAX_CROSSINGS {
+            let Some(hit) = self.closest(&ray, &mut Silent) else {
+                break;
+            };
+            let at = self.scene.interaction(&ray, &hit);
+            let object = self.scene.owners[hit.primitive as usize];
+            if self.scene.material_of(hit.primitive).is_transmissive() {
+                match at.side {
+                    Side::Front => inside = inside.entered(object),
+                    Side::Back if inside.left(object) == inside => left.push(object),
+                    Side::Back => inside = inside.left(object),
+                }
+            }
+            ray.origin = at.origin_towards(direction);
+        }
+        left.into_iter().rev().fold(Media::AIR, Media::entered)
+    }
+
+    /// The closest hit of a ray.
+    pub fn closest<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Hit> {
+        let interval = Interval::FORWARD;
+        self.accel.closest(&self.scene.shapes, ray, interval, probe)
+    }
+
+    /// Something that stands on the ray before `distance`.
+    pub fn blocker<P: Probe>(&self, ray: &Ray, distance: f64, probe: &mut P) -> Option<Hit> {
+        let interval = Interval::before(distance);
+        self.accel.any(&self.scene.shapes, ray, interval, probe)
+    }
+}

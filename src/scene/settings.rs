@@ -1,0 +1,78 @@
+//! The knobs that change the picture.
+
+use serde::{Deserialize, Serialize};
+
+use crate::accel::AccelKind;
+use crate::shading::Fresnel;
+
+/// Where the samples of a pixel lie.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sampling {
+    /// In the middles of a grid of cells.
+    #[default]
+    Regular,
+    /// Anywhere in each cell of the grid, by chance.
+    Jittered,
+}
+
+/// Everything that changes the picture but is not the scene itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Width of the picture in pixels.
+    pub width: u32,
+    /// Height of the picture in pixels.
+    pub height: u32,
+    /// Samples a pixel.
+    pub samples: u32,
+    /// Where they lie.
+    pub sampling: Sampling,
+    /// How many times a ray may bounce: 0 stops at what the eye sees directly.
+    pub depth: u32,
+    /// Rays that could add less than this to the pixel (largest channel of their throughput) are not sent.
+    pub min_weight: f64,
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// How transparent surfaces share light between R and T.
+    pub fresnel: Fresnel,
+    /// Factor on the picture before it is clamped.
+    pub exposure: f64,
+    /// Which acceleration structure finds the hits (it never changes the picture).
+    pub accel: AccelKind,
+    /// Rays that a picture may cost; each pixel gets its even share.
+    pub max_rays: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            width: 320,
+            height: 240,
+            samples: 1,
+            sampling: Sampling::default(),
+            depth: 5,
+            min_weight: 1.0 / 512.0,
+            seed: 0,
+            fresnel: Fresnel::default(),
+            exposure: 1.0,
+            accel: AccelKind::default(),
+            max_rays: 1_000_000_000,
+        }
+    }
+}
+
+impl Settings {
+    /// Width and height.
+    pub fn size(&self) -> (u32, u32) {
+        (self.width, self.height)
+    }
+
+    /// How many rays one pixel may send. The same for each, whatever the others need: so that a pixel traced alone is
+    /// the pixel of the picture.
+    pub fn rays_per_pixel(&self) -> u64 {
+        let pixels = u64::from(self.width) * u64::from(self.height);
+        (self.max_rays / pixels.max(1)).max(1)
+    }
+}

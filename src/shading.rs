@@ -1,0 +1,14 @@
+//! What a surface does with light.
+
+pub mod interaction;
+pub mod light;
+pub mod material;
+pub mod medium;
+pub mod optics;
+pub mod phong;
+
+pub use interaction::{Interaction, Side};
+pub use light::{Illumination, Light, Source};
+pub use material::{Checker, Material};
+pub use medium::Media;
+pub use optics::Fresnel;

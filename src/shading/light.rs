@@ -1,0 +1,159 @@
+//! Lights without an area: their shadows are hard.
+
+use crate::math::{DVec3, Rgb};
+
+/// A light and its name in the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub source: Source,
+}
+
+/// The kinds of light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Source {
+    /// Shines from one point in all directions.
+    Point {
+        /// Where.
+        position: DVec3,
+        /// I, before attenuation.
+        intensity: Rgb,
+        /// a, b, c of the attenuation 1 / (a + b r + c r^2) at distance r.
+        attenuation: [f64; 3],
+    },
+    /// Shines along one direction everywhere, from endlessly far away.
+    Directional {
+        /// Where the light goes (unit).
+        direction: DVec3,
+        /// I.
+        intensity: Rgb,
+    },
+    /// Shines from one point into a cone.
+    Spot {
+        /// Where.
+        position: DVec3,
+        /// The axis of the cone (unit).
+        direction: DVec3,
+        /// I on the axis, before attenuation.
+        intensity: Rgb,
+        /// As for a point light.
+        attenuation: [f64; 3],
+        /// The cosine of the angle between axis and edge of the cone.
+        cos_cutoff: f64,
+        /// The light falls off from the axis as cos^exponent.
+        exponent: f64,
+    },
+}
+
+/// A light as one point sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Illumination {
+    /// L: the unit vector from the point to the light.
+    pub direction: DVec3,
+    /// How far the light is; infinite for directional ones.
+    pub distance: f64,
+    /// 1 / (a + b r + c r^2); 1 for directional lights.
+    pub attenuation: f64,
+    /// For spots the cosine between axis and the way to the point, else 1.
+    pub cos_angle: f64,
+    /// What arrives if nothing stands in between: I x attenuation x fall-off; black outside a spot's cone.
+    pub intensity: Rgb,
+}
+
+impl Source {
+    /// What arrives at `point`. At the light's own position there is no direction to it: `None`.
+    pub fn at(&self, point: DVec3) -> Option<Illumination> {
+        match *self {
+            Self::Point {
+                position,
+                intensity,
+                attenuation,
+            } => Self::from_point(position, intensity, attenuation, point),
+            Self::Directional {
+                direction,
+                intensity,
+            } => Some(Illumination {
+                direction: -direction,
+                distance: f64::INFINITY,
+                attenuation: 1.0,
+                cos_angle: 1.0,
+                intensity,
+            }),
+            Self::Spot {
+                position,
+                direction,
+                intensity,
+                attenuation,
+                cos_cutoff,
+                exponent,
+            } => {
+                let light = Self::from_point(position, intensity, attenuation, point)?;
+                let cos_angle = direction.dot(-light.direction);
+                let falloff = if cos_angle < cos_cutoff {
+                    0.0
+                } else {
+                    libm::pow(cos_angle.max(0.0), exponent)
+                };
+                Some(Illumination {
+                    cos_angle,
+                    intensity: light.intensity * falloff,
+                    ..light
+                })
+            }
+        }
+    }
+
+    fn from_point(
+        position: DVec3,
+        intensity: Rgb,
+        [a, b, c]: [f64; 3],
+        point: DVec3,
+    ) -> Option<Illumination> {
+        let to_light = position - point;
+        let distance = to_light.length();
+        let direction = to_light.try_normalize()?;
+        let attenuation = 1.0 / (a + b * distance + c * distance * distance);
+        Some(Illumination {
+            direction,
+            distance,
+            attenuation,
+            cos_angle: 1.0,
+            intensity: intensity * attenuation,
+        })
+    }
+
+    /// Where it stands, if it stands anywhere.
+    pub fn position(&self) -> Option<DVec3> {
+        match *self {
+            Self::Point { position, .. } | Self::Spot { position, .. } => Some(position),
+            Self::Directional { .. } => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spot_shines_into_its_cone_only() {
+        let spot = Source::Spot {
+            position: DVec3::new(0.0, 2.0, 0.0),
+            direction: DVec3::NEG_Y,
+            intensity: Rgb::WHITE,
+            attenuation: [0.0, 0.0, 1.0],
+            cos_cutoff: 0.5,
+            exponent: 1.0,
+        };
+        let below = spot.at(DVec3::ZERO).expect("not at the light");
+        assert_eq!((below.distance, below.intensity), (2.0, Rgb::grey(0.25)));
+        // 60 degrees and a little more from the axis.
+        let outside = spot
+            .at(DVec3::new(3.5, 0.0, 0.0))
+            .expect("not at the light");
+        assert!(outside.intensity.is_black());
+        assert_eq!(spot.at(DVec3::new(0.0, 2.0, 0.0)), None);
+    }
+}

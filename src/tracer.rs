@@ -1,0 +1,11 @@
+//! The tracer: one function, two doors.
+//!
+//! [`render()`] follows the rays of every pixel and listens to nothing; [`pixel()`] with a recording probe follows the
+//! rays of one pixel and writes them down. Both go through [`whitted`].
+
+pub mod film;
+pub mod pixel;
+pub mod whitted;
+
+pub use film::{Film, Flow, render};
+pub use pixel::{Pixel, pixel};

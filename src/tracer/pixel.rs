@@ -1,0 +1,100 @@
+//! One pixel: its samples, and their weighted sum.
+
+use super::whitted::Tracer;
+use crate::math::Rgb;
+use crate::math::sampler::{Dimension, uniform};
+use crate::probe::{Event, Probe};
+use crate::scene::{Sampling, Settings, World};
+
+/// A traced pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pixel {
+    /// Its linear colour: the weighted sum of its samples' radiances.
+    pub color: Rgb,
+    /// Rays that it cost.
+    pub rays: u64,
+    /// True if a limit cut it short, so that its colour is not all that was asked for.
+    pub cut: bool,
+}
+
+/// Traces pixel (x, y) and tells `probe` of everything that happens. The one way to a pixel's colour: with any probe,
+/// on any thread, it is the same bit for bit.
+pub fn pixel<P: Probe>(
+    world: &World,
+    settings: &Settings,
+    (x, y): (u32, u32),
+    probe: &mut P,
+) -> Pixel {
+    let weight = 1.0 / f64::from(settings.samples);
+    let mut color = Rgb::BLACK;
+    let (mut rays, mut cut) = (0, false);
+    for index in 0..settings.samples {
+        let film = film_position(settings, (x, y), index);
+        probe.event(Event::Sample {
+            index,
+            film,
+            weight,
+        });
+        let ray = world.scene.camera.ray(film, settings.size());
+        let mut tracer = Tracer::new(world, settings, probe).continuing(rays);
+        color += tracer.eye(ray) * weight;
+        rays = tracer.rays;
+        cut |= tracer.cut;
+    }
+    Pixel { color, rays, cut }
+}
+
+/// Where on the film a sample lies: in its cell of a grid over the pixel, in the middle or by chance.
+fn film_position(settings: &Settings, (x, y): (u32, u32), index: u32) -> [f64; 2] {
+    let rows = grid_rows(settings.samples);
+    let columns = settings.samples / rows;
+    let [dx, dy] = match settings.sampling {
+        Sampling::Regular => [0.5, 0.5],
+        Sampling::Jittered => [Dimension::FilmX, Dimension::FilmY]
+            .map(|dimension| uniform(settings.seed, (x, y), index, dimension)),
+    };
+    let column = f64::from(index % columns) + dx;
+    let row = f64::from(index / columns) + dy;
+    [
+        f64::from(x) + column / f64::from(columns),
+        f64::from(y) + row / f64::from(rows),
+    ]
+}
+
+/// The rows of the squarest grid with exactly `samples` cells: the largest divisor up to the square root.
+fn grid_rows(samples: u32) -> u32 {
+    let root = samples.isqrt();
+    (1..=root)
+        .rev()
+        .find(|r| samples.is_multiple_of(*r))
+        .unwrap_or(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_fill_their_pixel_evenly() {
+        for (samples, rows) in [(1, 1), (4, 2), (6, 2), (7, 1), (16, 4), (64, 8)] {
+            assert_eq!(grid_rows(samples), rows);
+        }
+        let mut settings = Settings {
+            samples: 4,
+            ..Settings::default()
+        };
+        let at = |s: &Settings| [0, 1, 2, 3].map(|i| film_position(s, (10, 20), i));
+        let regular = [
+            [10.25, 20.25],
+            [10.75, 20.25],
+            [10.25, 20.75],
+            [10.75, 20.75],
+        ];
+        assert_eq!(at(&settings), regular);
+        settings.sampling = Sampling::Jittered;
+        for (jittered, middle) in at(&settings).iter().zip(regular) {
+            assert!((jittered[0] - middle[0]).abs() <= 0.25);
+            assert!((jittered[1] - middle[1]).abs() <= 0.25);
+        }
+    }
+}
