@@ -9,7 +9,7 @@ pub mod list;
 pub use list::List;
 
 use crate::geometry::{Hit, Intersection, Shape, Shear};
-use crate::math::{Interval, Ray};
+use crate::math::{DVec3, Interval, Ray};
 use crate::probe::{Event, Probe, Verdict};
 
 /// Which accelerator to build.
@@ -24,6 +24,21 @@ pub enum AccelKind {
     BspAxis,
     /// A BSP tree split by the planes of the scene's own polygons, as in the lectures.
     BspPolygon,
+}
+
+impl AccelKind {
+    /// Every kind.
+    pub const ALL: [Self; 4] = [Self::List, Self::Bsp, Self::BspAxis, Self::BspPolygon];
+
+    /// Its name on the command line and in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::List => "list",
+            Self::Bsp => "bsp",
+            Self::BspAxis => "bsp-axis",
+            Self::BspPolygon => "bsp-polygon",
+        }
+    }
 }
 
 /// An acceleration structure over a scene's primitives.
@@ -76,6 +91,15 @@ impl Accel {
         let query = Query::new(shapes, ray, interval);
         match self {
             Self::List(list) => list.any(&query, probe),
+        }
+    }
+}
+
+impl Accel {
+    /// The splitting plane n.p = d of a node: its normal n and d. `None` for leaves and for a list.
+    pub fn plane(&self, _node: u32) -> Option<(DVec3, f64)> {
+        match self {
+            Self::List(_) => None,
         }
     }
 }

@@ -16,4 +16,5 @@ pub mod shading;
 
 pub mod scene;
 
+pub mod trace;
 pub mod tracer;

@@ -109,6 +109,15 @@ pub enum Event {
         /// What is added.
         value: Rgb,
     },
+    /// The surface bounds a medium: how it shares light between R and T.
+    Boundary {
+        /// Index of refraction on the side of the ray.
+        n1: f64,
+        /// Index of refraction on the other side.
+        n2: f64,
+        /// F: the share of the transmission coefficient that is reflected instead; 1 under total internal reflection.
+        reflectance: f64,
+    },
     /// A ray is not sent.
     Absent {
         /// The ray that could have been.

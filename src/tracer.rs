@@ -5,7 +5,9 @@
 
 pub mod film;
 pub mod pixel;
+pub mod stack;
 pub mod whitted;
 
 pub use film::{Film, Flow, render};
 pub use pixel::{Pixel, pixel};
+pub use stack::on_threads;

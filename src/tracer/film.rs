@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::pixel::pixel;
+use super::stack::on_threads;
 use crate::math::Rgb;
 use crate::probe::Probe;
 use crate::scene::{Settings, World};
@@ -41,40 +42,71 @@ struct Tile {
     y: [u32; 2],
 }
 
-/// Renders the whole picture on all threads of the current pool. Each pixel depends on nothing but the scene and the
-/// settings, so the picture is the same for any number of threads.
+/// A rendered tile, or one that was left out.
+struct Done<P> {
+    tile: Tile,
+    colors: Vec<Rgb>,
+    rays: u64,
+    cut: bool,
+    probe: P,
+}
+
+impl Tile {
+    /// The tile left out: its pixels stay black.
+    fn blank<P: Default>(self) -> Done<P> {
+        Done {
+            tile: self,
+            colors: Vec::new(),
+            rays: 0,
+            cut: true,
+            probe: P::default(),
+        }
+    }
+
+    /// The tile's pixels, row after row.
+    fn render<P: Probe + Default>(self, world: &World, settings: &Settings) -> Done<P> {
+        let mut done = self.blank();
+        done.cut = false;
+        for y in self.y[0]..self.y[1] {
+            for x in self.x[0]..self.x[1] {
+                let pixel = pixel(world, settings, (x, y), &mut done.probe);
+                done.colors.push(pixel.color);
+                done.rays += pixel.rays;
+                done.cut |= pixel.cut;
+            }
+        }
+        done
+    }
+}
+
+/// Renders the whole picture on `threads` threads (0: one a core). Each pixel depends on nothing but the scene and
+/// the settings, so the picture is the same for any number of threads.
 ///
 /// Each tile is told to a probe of its own; they come back in the order of the tiles. After each tile `watch` hears
 /// how many pixels and rays it had.
 pub fn render<P: Probe + Default + Send>(
     world: &World,
     settings: &Settings,
+    threads: usize,
     watch: &(dyn Fn(u64, u64) -> Flow + Sync),
 ) -> (Film, Vec<P>) {
     let stopped = std::sync::atomic::AtomicBool::new(false);
     let order = std::sync::atomic::Ordering::Relaxed;
-    let results: Vec<_> = tiles(settings)
-        .into_par_iter()
-        .map(|tile| {
-            let mut probe = P::default();
-            if stopped.load(order) {
-                return (tile, Vec::new(), 0, true, probe);
-            }
-            let (mut colors, mut rays, mut cut) = (Vec::new(), 0, false);
-            for y in tile.y[0]..tile.y[1] {
-                for x in tile.x[0]..tile.x[1] {
-                    let pixel = pixel(world, settings, (x, y), &mut probe);
-                    colors.push(pixel.color);
-                    rays += pixel.rays;
-                    cut |= pixel.cut;
+    let results: Vec<_> = on_threads(threads, || {
+        tiles(settings)
+            .into_par_iter()
+            .map(|tile| {
+                if stopped.load(order) {
+                    return tile.blank();
                 }
-            }
-            if watch(colors.len() as u64, rays) == Flow::Stop {
-                stopped.store(true, order);
-            }
-            (tile, colors, rays, cut, probe)
-        })
-        .collect();
+                let done = tile.render(world, settings);
+                if watch(done.colors.len() as u64, done.rays) == Flow::Stop {
+                    stopped.store(true, order);
+                }
+                done
+            })
+            .collect()
+    });
 
     let mut film = Film {
         width: settings.width,
@@ -84,11 +116,11 @@ pub fn render<P: Probe + Default + Send>(
         cut: false,
     };
     let mut probes = Vec::with_capacity(results.len());
-    for (tile, colors, rays, cut, probe) in results {
-        film.place(tile, &colors);
-        film.rays += rays;
-        film.cut |= cut;
-        probes.push(probe);
+    for done in results {
+        film.place(done.tile, &done.colors);
+        film.rays += done.rays;
+        film.cut |= done.cut;
+        probes.push(done.probe);
     }
     (film, probes)
 }

@@ -191,7 +191,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
     ///
     /// A transparent surface reflects the share F of what it would let through (Fresnel): Wr = Kr + F Kt,
     /// Wt = (1 - F) Kt. Under total internal reflection F is 1, in every model.
-    fn split(&self, path: &Path, at: &Interaction, m: &Material, object: u32) -> Split {
+    fn split(&mut self, path: &Path, at: &Interaction, m: &Material, object: u32) -> Split {
         if !m.is_transmissive() {
             return Split {
                 reflected: m.mirror,
@@ -213,6 +213,11 @@ impl<'a, P: Probe> Tracer<'a, P> {
         let share = refracted.map_or(1.0, |t| {
             let (cos_i, cos_t) = (at.normal.dot(at.to_viewer), -at.normal.dot(t));
             self.settings.fresnel.reflectance(cos_i, cos_t, n1, n2)
+        });
+        self.probe.event(Event::Boundary {
+            n1,
+            n2,
+            reflectance: share,
         });
         Split {
             reflected: m.mirror + m.transmission * share,

@@ -1,0 +1,77 @@
+//! What happened: the recorded pixel, as a log, as a tree, as numbers to read.
+//!
+//! The log is the truth. The tree ([`RayTree`]) is a fold of it; stepping ([`Cursor`]) is an index into it; what is
+//! shown beside it is computed again from it with the tracer's own functions ([`explain`]).
+
+pub mod arrival;
+pub mod counts;
+pub mod cursor;
+pub mod diagram;
+pub mod explain;
+pub mod json;
+pub mod ledger;
+pub mod recorder;
+pub mod text;
+pub mod tree;
+
+pub use arrival::{Arrival, Lighting};
+pub use counts::Counts;
+pub use cursor::Cursor;
+pub use explain::{Explanation, explain};
+pub use recorder::Recorder;
+pub use tree::{Node, Outcome, RayTree};
+
+use crate::scene::{Settings, World};
+use crate::tracer::{Pixel, on_threads, pixel};
+
+/// A recorded pixel.
+#[derive(Clone, Debug)]
+pub struct PixelTrace {
+    /// Its column, from 0 at the left.
+    pub x: u32,
+    /// Its row, from 0 at the top.
+    pub y: u32,
+    /// Its colour: that of the rendered picture, bit for bit.
+    pub pixel: Pixel,
+    /// How it came about.
+    pub tree: RayTree,
+}
+
+/// A recorded pixel with the world and the settings that it was traced in: all that is needed to explain it.
+#[derive(Clone, Copy, Debug)]
+pub struct View<'a> {
+    /// The scene and its accelerator.
+    pub world: &'a World,
+    /// The settings.
+    pub settings: &'a Settings,
+    /// The recording.
+    pub trace: &'a PixelTrace,
+}
+
+/// Traces pixel (x, y) again, as [`crate::tracer::render()`] does, and writes down what happens; with every step
+/// through the acceleration structure if `traversal`.
+pub fn trace_pixel(
+    world: &World,
+    settings: &Settings,
+    (x, y): (u32, u32),
+    traversal: bool,
+) -> PixelTrace {
+    let (pixel, tree) = on_threads(1, || {
+        if traversal {
+            record(Recorder::<true>::default(), world, settings, (x, y))
+        } else {
+            record(Recorder::<false>::default(), world, settings, (x, y))
+        }
+    });
+    PixelTrace { x, y, pixel, tree }
+}
+
+fn record<const TRAVERSAL: bool>(
+    mut recorder: Recorder<TRAVERSAL>,
+    world: &World,
+    settings: &Settings,
+    at: (u32, u32),
+) -> (Pixel, RayTree) {
+    let pixel = pixel(world, settings, at, &mut recorder);
+    (pixel, RayTree::new(recorder))
+}

@@ -1,0 +1,107 @@
+//! Where a recorded ray arrived, computed again: the log keeps decisions, this is the arithmetic.
+
+use super::View;
+use super::tree::Outcome;
+use crate::geometry::Hit;
+use crate::math::{Ray, Rgb};
+use crate::scene::Object;
+use crate::shading::{Illumination, Interaction, Material, optics};
+
+/// A ray's arrival on a surface, with all that shading used.
+#[derive(Clone, Copy, Debug)]
+pub struct Arrival<'a> {
+    /// The hit.
+    pub hit: Hit,
+    /// The place.
+    pub at: Interaction,
+    /// The object.
+    pub object: &'a Object,
+    /// The number of the primitive within the object.
+    pub primitive: u32,
+    /// Its material.
+    pub material: &'a Material,
+}
+
+/// The factors of a light's diffuse and specular terms.
+#[derive(Clone, Copy, Debug)]
+pub struct Lighting {
+    /// The light as the point sees it.
+    pub light: Illumination,
+    /// N.L.
+    pub n_dot_l: f64,
+    /// R.V, where R is L mirrored at N; negative if R points away from the viewer.
+    pub r_dot_v: f64,
+    /// Kd at the point.
+    pub kd: Rgb,
+}
+
+impl<'a> View<'a> {
+    /// Where the ray of a node ended on a surface; for blocked L rays the blocker. `None` if it hit nothing.
+    pub fn arrival(self, node: u32) -> Option<Arrival<'a>> {
+        let node = self.trace.tree.node(node);
+        let (Outcome::Hit(hit) | Outcome::Blocked(hit)) = node.outcome? else {
+            return None;
+        };
+        let scene = &self.world.scene;
+        let ray = Ray::new(node.sent.origin, node.sent.direction);
+        Some(Arrival {
+            hit,
+            at: scene.interaction(&ray, &hit),
+            object: scene.object_of(hit.primitive),
+            primitive: scene.local_index(hit.primitive),
+            material: scene.material_of(hit.primitive),
+        })
+    }
+
+    /// The factors of a light's terms at an arrival; `None` if the light stands just there.
+    pub fn lighting(self, arrival: &Arrival, light: u32) -> Option<Lighting> {
+        let source = &self.world.scene.lights.get(light as usize)?.source;
+        let seen = source.at(arrival.at.point)?;
+        let r = optics::reflect(-seen.direction, arrival.at.normal);
+        Some(Lighting {
+            light: seen,
+            n_dot_l: arrival.at.normal.dot(seen.direction),
+            r_dot_v: r.dot(arrival.at.to_viewer),
+            kd: arrival.material.diffuse_at(arrival.at.uv),
+        })
+    }
+
+    /// The name of a light.
+    pub fn light_name(self, light: u32) -> &'a str {
+        let lights = &self.world.scene.lights;
+        lights.get(light as usize).map_or("", |l| l.name.as_str())
+    }
+
+    /// The share of the pixel's brightness that a node's subtree brings, 0 to 1: luminance of throughput x radiance
+    /// x sample weight over that of the pixel. For an L ray, that of the terms it let through.
+    pub fn share(self, node: u32) -> f64 {
+        let weight = self
+            .trace
+            .tree
+            .sample_of_node(node)
+            .map_or(1.0, |s| s.weight);
+        let pixel = self.trace.pixel.color.luminance();
+        if pixel > 0.0 {
+            (self.brings(node) * weight).luminance() / pixel
+        } else {
+            0.0
+        }
+    }
+
+    /// What a node's subtree adds to its sample: throughput x radiance; for an L ray the light's terms at its parent.
+    pub fn brings(self, node: u32) -> Rgb {
+        use crate::probe::{Event, RayKind};
+        let tree = &self.trace.tree;
+        let this = tree.node(node);
+        let (RayKind::Light, Some(parent)) = (this.sent.kind, this.parent) else {
+            return this.total();
+        };
+        let terms = tree
+            .own_events(parent)
+            .filter_map(|(_, event)| match event {
+                Event::Term { light, value, .. } if *light == this.sent.light => Some(*value),
+                _ => None,
+            });
+        tree.node(parent).throughput * terms.fold(Rgb::BLACK, |sum, value| sum + value)
+    }
+}

@@ -1,0 +1,116 @@
+//! Stepping through a recorded pixel: a place in its log.
+//!
+//! Every move is arithmetic on one index, so back is the exact inverse of forward.
+
+use super::RayTree;
+use crate::probe::{Event, RayKind};
+
+/// A place in the log of a [`RayTree`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cursor {
+    position: usize,
+}
+
+impl Cursor {
+    /// The index of the current event.
+    pub fn position(self) -> usize {
+        self.position
+    }
+
+    /// At event `n`, or at the last one if there are fewer.
+    #[must_use]
+    pub fn at(tree: &RayTree, n: usize) -> Self {
+        Self {
+            position: n.min(Self::last(tree)),
+        }
+    }
+
+    /// At the first event.
+    pub fn start() -> Self {
+        Self::default()
+    }
+
+    /// At the last event.
+    pub fn end(tree: &RayTree) -> Self {
+        Self::at(tree, usize::MAX)
+    }
+
+    /// One event on.
+    #[must_use]
+    pub fn step(self, tree: &RayTree) -> Self {
+        Self::at(tree, self.position + 1)
+    }
+
+    /// One event back.
+    #[must_use]
+    pub fn back(self) -> Self {
+        Self {
+            position: self.position.saturating_sub(1),
+        }
+    }
+
+    /// Over what begins here: from a ray's start to its return, from a traversal step to what the traversal found;
+    /// else one event on.
+    #[must_use]
+    pub fn over(self, tree: &RayTree) -> Self {
+        match tree.events.get(self.position) {
+            Some(Event::Ray(_)) => self.out(tree),
+            Some(event) if is_traversal(event) => {
+                let rest = tree.events[self.position..].iter();
+                Self::at(
+                    tree,
+                    self.position + rest.take_while(|e| is_traversal(e)).count(),
+                )
+            }
+            _ => self.step(tree),
+        }
+    }
+
+    /// Out of the current ray: to its return; from there to the return of the ray that sent it.
+    #[must_use]
+    pub fn out(self, tree: &RayTree) -> Self {
+        let Some(mut node) = tree.node_of_event(self.position) else {
+            return self.step(tree);
+        };
+        if tree.node(node).last_event as usize == self.position {
+            match tree.node(node).parent {
+                Some(parent) => node = parent,
+                None => return self.step(tree),
+            }
+        }
+        Self::at(tree, tree.node(node).last_event as usize)
+    }
+
+    /// The next ray of a kind, if there is one behind here.
+    pub fn next_ray(self, tree: &RayTree, kind: RayKind) -> Option<Self> {
+        let after = tree
+            .nodes
+            .partition_point(|n| n.first_event as usize <= self.position);
+        let node = tree.nodes[after..].iter().find(|n| n.sent.kind == kind)?;
+        Some(Self::at(tree, node.first_event as usize))
+    }
+
+    /// The ray of a kind before here, if there is one.
+    pub fn previous_ray(self, tree: &RayTree, kind: RayKind) -> Option<Self> {
+        let before = tree
+            .nodes
+            .partition_point(|n| (n.first_event as usize) < self.position);
+        let node = tree.nodes[..before].iter().rfind(|n| n.sent.kind == kind)?;
+        Some(Self::at(tree, node.first_event as usize))
+    }
+
+    /// The start of a node's ray.
+    #[must_use]
+    pub fn at_node(tree: &RayTree, node: u32) -> Self {
+        Self::at(tree, tree.node(node).first_event as usize)
+    }
+
+    fn last(tree: &RayTree) -> usize {
+        tree.events.len().saturating_sub(1)
+    }
+}
+
+/// True for the steps through the acceleration structure.
+fn is_traversal(event: &Event) -> bool {
+    matches!(event, Event::Visit(_) | Event::Test { .. })
+}

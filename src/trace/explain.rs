@@ -1,0 +1,164 @@
+//! What an event means: the equation with its numbers, and one plain sentence.
+//!
+//! Nothing here is derived by hand: values come from the log, or from the tracer's own functions with the recorded
+//! inputs.
+
+mod ray;
+mod surface;
+mod traversal;
+
+use super::View;
+use crate::math::{DVec3, Rgb};
+use crate::probe::{Event, NONE};
+
+/// An event, explained.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Explanation {
+    /// What it is, in a few words.
+    pub title: String,
+    /// What it means, in one sentence.
+    pub sentence: String,
+    /// The numbers, from the given to the result.
+    pub rows: Vec<Row>,
+}
+
+/// A quantity and its value, or an equation and its numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What stands left of the equals sign.
+    pub name: String,
+    /// What stands right of it.
+    pub text: String,
+    /// The colour, if the value is one.
+    pub color: Option<Rgb>,
+}
+
+impl Explanation {
+    fn new(title: impl Into<String>, sentence: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            sentence: sentence.into(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds `name = text`.
+    fn row(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
+        self.rows.push(Row {
+            name: name.into(),
+            text: text.into(),
+            color: None,
+        });
+        self
+    }
+
+    /// Adds `name = colour`.
+    fn color(mut self, name: impl Into<String>, value: Rgb) -> Self {
+        self.rows.push(Row {
+            name: name.into(),
+            text: rgb(value),
+            color: Some(value),
+        });
+        self
+    }
+}
+
+/// Explains the event at a place in the log.
+pub fn explain(view: View, index: usize) -> Explanation {
+    let tree = &view.trace.tree;
+    let Some(event) = tree.events.get(index) else {
+        return Explanation::new("nothing", "The log is empty.");
+    };
+    let node = tree.node_of_event(index).unwrap_or(NONE);
+    match *event {
+        Event::Sample {
+            index,
+            film,
+            weight,
+        } => ray::sample(view, index, film, weight),
+        Event::Ray(sent) => ray::sent(view, node, &sent),
+        Event::Visit(visit) => traversal::visit(view, node, &visit),
+        Event::Test {
+            primitive,
+            verdict,
+            t,
+        } => traversal::test(view, node, primitive, verdict, t),
+        Event::Hit(_) => surface::hit(view, node),
+        Event::Miss => ray::miss(view),
+        Event::Lit => ray::lit(view, node),
+        Event::Blocked(_) => ray::blocked(view, node),
+        Event::Term { term, light, value } => surface::term(view, node, term, light, value),
+        Event::Boundary {
+            n1,
+            n2,
+            reflectance,
+        } => surface::boundary(view, node, n1, n2, reflectance),
+        Event::Absent {
+            kind,
+            light,
+            reason,
+        } => surface::absent(view, node, kind, light, reason),
+        Event::Return { radiance } => ray::returned(view, node, radiance),
+    }
+}
+
+/// A number to read: five decimals at most, no trailing zeros, powers of ten where it needs them.
+pub fn num(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if !x.is_finite() {
+        return if x.is_nan() {
+            "none".to_owned()
+        } else {
+            "infinite".to_owned()
+        };
+    }
+    if (1e-4..1e7).contains(&x.abs()) {
+        let fixed = format!("{x:.5}");
+        return fixed.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    format!("{x:.3e}")
+}
+
+/// A vector to read.
+pub fn vec3(v: DVec3) -> String {
+    format!("({}, {}, {})", num(v.x), num(v.y), num(v.z))
+}
+
+/// A colour to read.
+pub fn rgb(c: Rgb) -> String {
+    format!("({}, {}, {})", num(c.r), num(c.g), num(c.b))
+}
+
+/// An angle, given by its cosine, in degrees.
+fn degrees(cos: f64) -> String {
+    format!(
+        "{:.2} degrees",
+        libm::acos(cos.clamp(-1.0, 1.0)).to_degrees()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_honest() {
+        let text = [
+            0.0,
+            1.0,
+            -0.5,
+            1.0 / 3.0,
+            1e-9,
+            12_345_678.0,
+            f64::INFINITY,
+            f64::NAN,
+        ]
+        .map(num);
+        let expected = [
+            "0", "1", "-0.5", "0.33333", "1.000e-9", "1.235e7", "infinite", "none",
+        ];
+        assert_eq!(text, expected);
+    }
+}

@@ -1,0 +1,241 @@
+//! Rays: why they were sent, and what they brought back.
+
+use super::super::View;
+use super::super::ledger::{self, Entry};
+use super::{Explanation, degrees, num, rgb, vec3};
+use crate::math::Rgb;
+use crate::probe::{Event, RayKind, RaySent};
+
+/// A sample of the pixel begins.
+pub fn sample(view: View, index: u32, [x, y]: [f64; 2], weight: f64) -> Explanation {
+    let camera = &view.world.scene.camera;
+    let (width, height) = view.settings.size();
+    let (w, h) = (f64::from(width), f64::from(height));
+    let tan = camera.half_height;
+    Explanation::new(
+        format!("sample {} of {}", index + 1, view.settings.samples),
+        format!(
+            "The film point ({}, {}) of the {width} x {height} picture decides where the eye ray goes.",
+            num(x),
+            num(y)
+        ),
+    )
+    .row(
+        "right",
+        format!(
+            "(2x/width - 1) tan(fov/2) width/height = {}",
+            num((2.0 * x / w - 1.0) * tan * w / h)
+        ),
+    )
+    .row(
+        "up",
+        format!("(1 - 2y/height) tan(fov/2) = {}", num((1.0 - 2.0 * y / h) * tan)),
+    )
+    .row("u", vec3(camera.frame.u))
+    .row("v", vec3(camera.frame.v))
+    .row("w", vec3(camera.frame.w))
+    .row("I", "normalize(right u + up v - w)")
+    .row("weight", num(weight))
+}
+
+/// A ray sets out.
+pub fn sent(view: View, node: u32, sent: &RaySent) -> Explanation {
+    let scene = &view.world.scene;
+    let base = match sent.kind {
+        RayKind::Incident => Explanation::new(
+            "I: a ray from the eye",
+            "The picture is made backwards: this ray asks what light comes to the eye from here.",
+        ),
+        RayKind::Light => to_light(view, node, sent),
+        RayKind::Reflected => reflected(view, node),
+        RayKind::Transmitted => transmitted(view, node, sent),
+    };
+    let base = base
+        .row("origin", vec3(sent.origin))
+        .row("direction", vec3(sent.direction))
+        .row(
+            "medium",
+            format!(
+                "{} (index {})",
+                scene.medium_name(sent.medium),
+                num(scene.medium_ior(sent.medium))
+            ),
+        );
+    if sent.kind == RayKind::Light {
+        return base.row("t_max", num(sent.t_max));
+    }
+    base.color("weight", sent.weight)
+        .color("throughput", view.trace.tree.node(node).throughput)
+}
+
+fn to_light(view: View, node: u32, sent: &RaySent) -> Explanation {
+    let light = view.light_name(sent.light);
+    Explanation::new(
+        format!("L: a shadow ray to `{light}`"),
+        format!("Does anything stand between the hit point and `{light}`?"),
+    )
+    .row(
+        "depth",
+        format!(
+            "{}, seen from ray {}",
+            sent.depth,
+            view.trace.tree.node(node).parent.map_or(0, |p| p)
+        ),
+    )
+}
+
+fn reflected(view: View, node: u32) -> Explanation {
+    let explanation = Explanation::new(
+        "R: the reflected ray",
+        "A mirror shows what a ray sees that leaves at the same angle on the other side of the normal.",
+    );
+    let Some(arrival) = parent_arrival(view, node) else {
+        return explanation;
+    };
+    let (i, n) = (-arrival.at.to_viewer, arrival.at.normal);
+    explanation
+        .row("I", vec3(i))
+        .row("N", vec3(n))
+        .row("N.I", num(n.dot(i)))
+        .row(
+            "R",
+            format!(
+                "I - 2 (N.I) N = {} + {} {}",
+                vec3(i),
+                num(-2.0 * n.dot(i)),
+                vec3(n)
+            ),
+        )
+}
+
+fn transmitted(view: View, node: u32, sent: &RaySent) -> Explanation {
+    let explanation = Explanation::new(
+        "T: the transmitted ray",
+        "Light bends where its speed changes: towards the normal into the denser medium, away from it on the way out.",
+    );
+    let Some(arrival) = parent_arrival(view, node) else {
+        return explanation;
+    };
+    let Some((n1, n2)) = parent_boundary(view, node) else {
+        return explanation;
+    };
+    let (i, n) = (-arrival.at.to_viewer, arrival.at.normal);
+    let (eta, c) = (n1 / n2, -n.dot(i));
+    let k = 1.0 - eta * eta * (1.0 - c * c);
+    explanation
+        .row("I", vec3(i))
+        .row("N", vec3(n))
+        .row(
+            "eta",
+            format!("n1 / n2 = {} / {} = {}", num(n1), num(n2), num(eta)),
+        )
+        .row("cos I", format!("-N.I = {} ({})", num(c), degrees(c)))
+        .row("k", format!("1 - eta^2 (1 - cos^2) = {}", num(k)))
+        .row(
+            "T",
+            format!(
+                "eta I + (eta cos - sqrt(k)) N, at {} from -N",
+                degrees(-n.dot(sent.direction))
+            ),
+        )
+}
+
+fn parent_arrival(view: View<'_>, node: u32) -> Option<super::super::Arrival<'_>> {
+    view.arrival(view.trace.tree.node(node).parent?)
+}
+
+/// The indices of refraction at the surface that sent a ray.
+fn parent_boundary(view: View, node: u32) -> Option<(f64, f64)> {
+    let tree = &view.trace.tree;
+    let parent = tree.node(node).parent?;
+    tree.own_events(parent).find_map(|(_, event)| match event {
+        Event::Boundary { n1, n2, .. } => Some((*n1, *n2)),
+        _ => None,
+    })
+}
+
+/// A ray leaves the scene.
+pub fn miss(view: View) -> Explanation {
+    Explanation::new(
+        "miss",
+        "The ray hits nothing: what comes back is the background.",
+    )
+    .color("background", view.world.scene.background)
+}
+
+/// A shadow ray arrives.
+pub fn lit(view: View, node: u32) -> Explanation {
+    let sent = &view.trace.tree.node(node).sent;
+    Explanation::new(
+        "lit",
+        format!(
+            "Nothing stands before `{}`: its diffuse and specular terms count.",
+            view.light_name(sent.light)
+        ),
+    )
+    .row("distance", num(sent.t_max))
+}
+
+/// A shadow ray is stopped.
+pub fn blocked(view: View, node: u32) -> Explanation {
+    let sent = &view.trace.tree.node(node).sent;
+    let light = view.light_name(sent.light);
+    let Some(arrival) = view.arrival(node) else {
+        return Explanation::new("blocked", format!("Something stands before `{light}`."));
+    };
+    let note = if arrival.material.is_transmissive() {
+        " (it is transparent, but shadow rays are straight and do not refract, so it blocks as well)"
+    } else {
+        ""
+    };
+    Explanation::new(
+        format!("blocked by `{}`", arrival.object.name),
+        format!(
+            "`{}` stands before `{light}`{note}: the point is in its shadow and the light adds nothing.",
+            arrival.object.name
+        ),
+    )
+    .row("t", format!("{} < {}, the distance to the light", num(arrival.hit.t), num(sent.t_max)))
+    .row("point", vec3(arrival.at.point))
+}
+
+/// A ray is done: the ledger of its radiance.
+pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
+    let tree = &view.trace.tree;
+    let this = tree.node(node);
+    if this.sent.kind == RayKind::Light {
+        return Explanation::new(
+            "the shadow ray is done",
+            "Its answer is lit or blocked; the light's terms are added where it was sent.",
+        );
+    }
+    let mut explanation = Explanation::new(
+        format!("{} brings back its sum", this.sent.kind.letter()),
+        "The terms and the weighted rays, added in this order, are the radiance to the last bit.",
+    );
+    for entry in ledger::entries(tree, node) {
+        explanation = match entry {
+            Entry::Term { term, light, value } => {
+                let light = view.light_name(light);
+                let space = if light.is_empty() { "" } else { " " };
+                explanation.color(format!("+ {}{space}{light}", term.name()), value)
+            }
+            Entry::Child {
+                kind,
+                weight,
+                radiance,
+                ..
+            } => explanation.color(format!("+ weight x {}", kind.letter()), weight * radiance),
+        };
+    }
+    explanation.color("radiance", radiance).row(
+        "in the pixel",
+        format!(
+            "{} x {} = {} ({:.1} % of its brightness)",
+            rgb(this.throughput),
+            rgb(radiance),
+            rgb(this.total()),
+            view.share(node) * 100.0
+        ),
+    )
+}

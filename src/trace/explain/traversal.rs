@@ -1,0 +1,91 @@
+//! The way through the acceleration structure.
+
+use super::super::View;
+use super::{Explanation, num, vec3};
+use crate::geometry::{Shape, Shear};
+use crate::math::{DVec3, Ray};
+use crate::probe::{NONE, Verdict, Visit};
+
+/// A node is visited or skipped.
+pub fn visit(view: View, node: u32, visit: &Visit) -> Explanation {
+    let sent = &view.trace.tree.node(node).sent;
+    let [t0, t1] = visit.interval;
+    let explanation = Explanation::new(
+        format!("node {}", visit.node),
+        sentence(visit.choice.reason()),
+    )
+    .row("interval", format!("{} < t < {}", num(t0), num(t1)));
+    let Some((n, d)) = view.world.accel.plane(visit.node) else {
+        return explanation;
+    };
+    let (n_o, n_d) = (n.dot(sent.origin), n.dot(sent.direction));
+    explanation
+        .row("plane", plane(n, d))
+        .row(
+            "t of the plane",
+            format!(
+                "(d - n.o) / (n.direction) = ({} - {}) / {} = {}",
+                num(d),
+                num(n_o),
+                num(n_d),
+                num(visit.t_split)
+            ),
+        )
+        .row("near", child(visit.near))
+        .row("far", child(visit.far))
+}
+
+/// A plane as an equation: `x = 2` along an axis, else with its normal.
+fn plane(n: DVec3, d: f64) -> String {
+    for (axis, name) in [(DVec3::X, "x"), (DVec3::Y, "y"), (DVec3::Z, "z")] {
+        if n == axis {
+            return format!("{name} = {}", num(d));
+        }
+    }
+    format!("{} . p = {}", vec3(n), num(d))
+}
+
+fn child(node: u32) -> String {
+    if node == NONE {
+        "empty".to_owned()
+    } else {
+        format!("node {node}")
+    }
+}
+
+/// A primitive is tested.
+pub fn test(view: View, node: u32, primitive: u32, verdict: Verdict, t: f64) -> Explanation {
+    let scene = &view.world.scene;
+    let shape = &scene.shapes[primitive as usize];
+    let sent = &view.trace.tree.node(node).sent;
+    let mut explanation = Explanation::new(
+        format!(
+            "test {} {}: {}",
+            scene.object_of(primitive).name,
+            scene.local_index(primitive),
+            verdict.name()
+        ),
+        sentence(verdict.reason()),
+    );
+    if let Shape::Triangle(triangle) = shape {
+        let shear = Shear::new(&Ray::new(sent.origin, sent.direction));
+        let [u, v, w] = triangle.edges(&shear).functions;
+        explanation = explanation
+            .row(
+                "edge functions",
+                format!("{}, {}, {}", num(u), num(v), num(w)),
+            )
+            .row("", "inside if all have the same sign");
+    }
+    if t.is_finite() {
+        explanation = explanation.row("t", num(t));
+    }
+    explanation
+}
+
+fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| {
+        format!("{}{}.", first.to_uppercase(), letters.as_str())
+    })
+}

@@ -1,0 +1,601 @@
+//! The ray tree as JSON, format `raytree/1`: what graders read.
+//!
+//! The types below are the format; the JSON Schema is generated from them. A tree is written node by node while it is
+//! visited, so a tree of a million rays needs no second copy in memory.
+
+use schemars::JsonSchema;
+use serde::ser::SerializeSeq;
+use serde::{Serialize, Serializer};
+
+use super::View;
+use super::arrival::Arrival;
+use super::tree::Outcome;
+use crate::math::{DVec3, Rgb};
+use crate::probe::{Absence, Choice, Event, NONE, RayKind, Term, Verdict, Visit};
+use crate::scene::Settings;
+use crate::shading::{Fresnel, Side};
+
+/// The value of `format`.
+pub const FORMAT: &str = "raytree/1";
+
+type Vector = [f64; 3];
+
+/// A traced pixel with its ray trees.
+#[derive(Serialize, JsonSchema)]
+#[schemars(title = "raytree/1", rename = "Document")]
+pub struct Document<C> {
+    /// Always `raytree/1`.
+    format: &'static str,
+    scene: SceneId,
+    image: Size,
+    pixel: At,
+    settings: Knobs,
+    /// What `render` puts into this pixel, bit for bit.
+    color: Color,
+    /// Events that did not fit into the log; absent if the tree is whole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    truncated: Option<u64>,
+    samples: Vec<SampleNode<C>>,
+}
+
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Scene")]
+struct SceneId {
+    name: String,
+    /// Of the files that the scene was read from.
+    hash: String,
+}
+
+#[derive(Serialize, JsonSchema)]
+struct Size {
+    width: u32,
+    height: u32,
+}
+
+/// (0, 0) is the top left corner.
+#[derive(Serialize, JsonSchema)]
+struct At {
+    x: u32,
+    y: u32,
+}
+
+/// Every knob that changes the picture, and the accelerator, which never does.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Settings")]
+struct Knobs {
+    samples: u32,
+    sampling: crate::scene::Sampling,
+    depth: u32,
+    min_weight: f64,
+    seed: u64,
+    fresnel: Fresnel,
+    exposure: f64,
+    max_rays: u64,
+    accel: &'static str,
+}
+
+#[derive(Serialize, JsonSchema)]
+struct Color {
+    /// Linear radiance, before exposure.
+    linear: Rgb,
+    /// After exposure, clamp and the sRGB curve.
+    srgb8: [u8; 3],
+}
+
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Sample")]
+struct SampleNode<C> {
+    index: u32,
+    /// Place on the film, in pixels from the top left corner.
+    film: [f64; 2],
+    /// Factor in the pixel's sum.
+    weight: f64,
+    /// Absent if the log was cut before it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    root: Option<Node<C>>,
+}
+
+/// A ray and what became of it. The fields of a ray's sum (weight to contribution) are absent for L rays, whose light
+/// is in the terms of the node that sent them.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Node")]
+struct Node<C> {
+    id: u32,
+    kind: &'static str,
+    depth: u32,
+    origin: Vector,
+    /// Unit length.
+    direction: Vector,
+    t_min: f64,
+    /// For L the distance to the light; null for an open end.
+    t_max: Option<f64>,
+    /// Factor in the parent's sum.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    weight: Option<Rgb>,
+    /// Product of the weights from the root.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    throughput: Option<Rgb>,
+    /// The material that the ray travels in, or "air".
+    medium: String,
+    /// Its index of refraction.
+    ior: f64,
+    /// "hit", "miss", "light", "lit" or "blocked"; null if the log was cut before the ray ended.
+    outcome: Option<&'static str>,
+    /// For blocked L rays the blocker.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hit: Option<HitNode>,
+    /// Of L rays.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    light: Option<String>,
+    /// Of hits on transparent surfaces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    boundary: Option<Boundary>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    terms: Vec<TermNode>,
+    /// Sum of the terms, then of weight x radiance of the R and T children, in this order.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radiance: Option<Rgb>,
+    /// throughput x sum of own terms; over the tree they add up to the root's radiance.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contribution: Option<Rgb>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    absent: Vec<AbsentNode>,
+    children: C,
+    /// With `--traversal`: every step through the acceleration structure.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    traversal: Vec<Step>,
+}
+
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Hit")]
+struct HitNode {
+    t: f64,
+    point: Vector,
+    object: String,
+    /// Counted within the object, from 0.
+    primitive: u32,
+    /// Weights of a triangle's corners.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    barycentric: Option<[f64; 3]>,
+    uv: [f64; 2],
+    /// Unit, facing the ray, like `normal`.
+    geometric_normal: Vector,
+    /// The normal that shading used.
+    normal: Vector,
+    side: &'static str,
+    material: String,
+}
+
+/// How a transparent surface shares light between R and T.
+#[derive(Serialize, JsonSchema)]
+struct Boundary {
+    /// Index of refraction on the side of the ray.
+    n1: f64,
+    /// Index of refraction on the other side.
+    n2: f64,
+    /// The share that is reflected.
+    reflectance: f64,
+}
+
+/// A term of the shading equation with its factors: value = product of the factors that its kind names.
+#[derive(Default, Serialize, JsonSchema)]
+#[schemars(rename = "Term")]
+struct TermNode {
+    /// "ambient", "emission", "background", "diffuse" or "specular".
+    term: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    light: Option<String>,
+    value: Rgb,
+    /// Ambient: value = ka x ambient_light.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ka: Option<Rgb>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ambient_light: Option<Rgb>,
+    /// Diffuse: value = kd x intensity x n_dot_l.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kd: Option<Rgb>,
+    /// Specular: value = ks x intensity x r_dot_v ^ shininess.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ks: Option<Rgb>,
+    /// What arrives from the light, attenuated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    intensity: Option<Rgb>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    n_dot_l: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    r_dot_v: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shininess: Option<f64>,
+}
+
+/// A ray that was not sent.
+#[derive(Default, Serialize, JsonSchema)]
+#[schemars(rename = "Absent")]
+struct AbsentNode {
+    kind: &'static str,
+    reason: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    light: Option<String>,
+    /// Of total-internal-reflection: the negative number under the root of the refracted direction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    k: Option<f64>,
+    /// Of facing-away.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    n_dot_l: Option<f64>,
+    /// Of below-surface.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    n_dot_r: Option<f64>,
+    /// Of outside-cone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cos_angle: Option<f64>,
+    /// Of min-weight: the largest channel of the throughput that the ray would have had.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    weight: Option<f64>,
+}
+
+/// A step through the acceleration structure.
+#[derive(Serialize, JsonSchema)]
+#[serde(untagged)]
+enum Step {
+    /// A node was visited or skipped.
+    Visit {
+        node: u32,
+        /// a, b, c, d of the plane a x + b y + c z = d; null for leaves.
+        plane: Option<[f64; 4]>,
+        t_split: Option<f64>,
+        /// The part of the ray inside the node; null for an open end.
+        interval: [Option<f64>; 2],
+        near: Option<u32>,
+        far: Option<u32>,
+        /// "near", "far", "both" or "none".
+        visit: &'static str,
+        reason: &'static str,
+    },
+    /// A primitive was tested.
+    Test {
+        test: Tested,
+        /// "hit", "miss", "too-far" or "behind".
+        result: &'static str,
+        t: Option<f64>,
+        reason: &'static str,
+    },
+}
+
+#[derive(Serialize, JsonSchema)]
+struct Tested {
+    object: String,
+    primitive: u32,
+}
+
+/// A node's children, written while they are visited.
+#[derive(Clone, Copy)]
+struct Lazy<'a> {
+    view: View<'a>,
+    node: u32,
+}
+
+impl Serialize for Lazy<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(None)?;
+        for child in self.view.trace.tree.children(self.node) {
+            list.serialize_element(&node(self.view, child))?;
+        }
+        list.end()
+    }
+}
+
+/// The children of a node as the schema knows them: a list of nodes.
+struct Children;
+
+impl JsonSchema for Children {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Children".into()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let node = generator.subschema_for::<Node<Self>>();
+        schemars::json_schema!({ "type": "array", "items": node })
+    }
+}
+
+/// The JSON Schema of the format.
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(Document<Children>).to_value()
+}
+
+/// The document of a recorded pixel, ready to be written.
+pub fn document(view: View) -> impl Serialize {
+    let View {
+        world,
+        settings,
+        trace,
+    } = view;
+    Document {
+        format: FORMAT,
+        scene: SceneId {
+            name: world.scene.name.clone(),
+            hash: world.scene.hash.clone(),
+        },
+        image: Size {
+            width: settings.width,
+            height: settings.height,
+        },
+        pixel: At {
+            x: trace.x,
+            y: trace.y,
+        },
+        settings: knobs(settings),
+        color: Color {
+            linear: trace.pixel.color,
+            srgb8: (trace.pixel.color * settings.exposure).to_srgb8(),
+        },
+        truncated: (trace.tree.dropped > 0).then_some(trace.tree.dropped),
+        samples: trace
+            .tree
+            .samples
+            .iter()
+            .map(|s| SampleNode {
+                index: s.index,
+                film: s.film,
+                weight: s.weight,
+                root: s.root.map(|root| node(view, root)),
+            })
+            .collect(),
+    }
+}
+
+fn knobs(settings: &Settings) -> Knobs {
+    Knobs {
+        samples: settings.samples,
+        sampling: settings.sampling,
+        depth: settings.depth,
+        min_weight: settings.min_weight,
+        seed: settings.seed,
+        fresnel: settings.fresnel,
+        exposure: settings.exposure,
+        max_rays: settings.max_rays,
+        accel: settings.accel.name(),
+    }
+}
+
+/// One node, its children still to be visited.
+fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
+    let tree = &view.trace.tree;
+    let this = tree.node(id);
+    let sent = &this.sent;
+    let sums = sent.kind != RayKind::Light;
+    let arrival = view.arrival(id);
+    let scene = &view.world.scene;
+    let mut boundary = None;
+    let (mut terms, mut absent, mut traversal) = (Vec::new(), Vec::new(), Vec::new());
+    for (_, event) in tree.own_events(id) {
+        match *event {
+            Event::Term { term, light, value } => {
+                terms.push(term_node(view, arrival.as_ref(), term, light, value));
+            }
+            Event::Absent {
+                kind,
+                light,
+                reason,
+            } => absent.push(absent_node(view, kind, light, reason)),
+            Event::Boundary {
+                n1,
+                n2,
+                reflectance,
+            } => {
+                boundary = Some(Boundary {
+                    n1,
+                    n2,
+                    reflectance,
+                });
+            }
+            Event::Visit(visit) => traversal.push(visit_step(view, &visit)),
+            Event::Test {
+                primitive,
+                verdict,
+                t,
+            } => traversal.push(test_step(view, primitive, verdict, t)),
+            _ => {}
+        }
+    }
+    Node {
+        id,
+        kind: sent.kind.letter(),
+        depth: sent.depth,
+        origin: sent.origin.to_array(),
+        direction: sent.direction.to_array(),
+        t_min: 0.0,
+        t_max: finite(sent.t_max),
+        weight: sums.then_some(sent.weight),
+        throughput: sums.then_some(this.throughput),
+        medium: scene.medium_name(sent.medium).to_owned(),
+        ior: scene.medium_ior(sent.medium),
+        outcome: this.outcome.map(|outcome| match outcome {
+            Outcome::Hit(_) => "hit",
+            Outcome::Miss => "miss",
+            Outcome::Lit => "lit",
+            Outcome::Blocked(_) => "blocked",
+        }),
+        hit: arrival.as_ref().map(hit_node),
+        light: light_name(view, sent.light),
+        boundary,
+        terms,
+        radiance: sums.then_some(this.radiance),
+        contribution: sums.then_some(this.contribution()),
+        absent,
+        children: Lazy { view, node: id },
+        traversal,
+    }
+}
+
+fn hit_node(arrival: &Arrival) -> HitNode {
+    let Arrival {
+        hit,
+        at,
+        object,
+        primitive,
+        material,
+    } = arrival;
+    let has_corners = hit.barycentric != [0.0; 3];
+    HitNode {
+        t: hit.t,
+        point: at.point.to_array(),
+        object: object.name.clone(),
+        primitive: *primitive,
+        barycentric: has_corners.then_some(hit.barycentric),
+        uv: at.uv.to_array(),
+        geometric_normal: at.geometric_normal.to_array(),
+        normal: at.normal.to_array(),
+        side: match at.side {
+            Side::Front => "front",
+            Side::Back => "back",
+        },
+        material: material.name.clone(),
+    }
+}
+
+/// A term with the factors that it was made of.
+fn term_node(
+    view: View,
+    arrival: Option<&Arrival>,
+    term: Term,
+    light: u32,
+    value: Rgb,
+) -> TermNode {
+    let plain = TermNode {
+        term: term.name(),
+        light: light_name(view, light),
+        value,
+        ..TermNode::default()
+    };
+    let Some(arrival) = arrival else {
+        return plain;
+    };
+    let lighting = view.lighting(arrival, light);
+    let intensity = lighting.map(|l| l.light.intensity);
+    match term {
+        Term::Emission | Term::Background => plain,
+        Term::Ambient => TermNode {
+            ka: Some(arrival.material.ambient_at(arrival.at.uv)),
+            ambient_light: Some(view.world.scene.ambient),
+            ..plain
+        },
+        Term::Diffuse => TermNode {
+            kd: lighting.map(|l| l.kd),
+            intensity,
+            n_dot_l: lighting.map(|l| l.n_dot_l),
+            ..plain
+        },
+        Term::Specular => TermNode {
+            ks: Some(arrival.material.specular),
+            intensity,
+            r_dot_v: lighting.map(|l| l.r_dot_v.max(0.0)),
+            shininess: Some(arrival.material.shininess),
+            ..plain
+        },
+    }
+}
+
+fn absent_node(view: View, kind: RayKind, light: u32, reason: Absence) -> AbsentNode {
+    let mut node = AbsentNode {
+        kind: kind.letter(),
+        reason: reason.name(),
+        light: light_name(view, light),
+        ..AbsentNode::default()
+    };
+    match reason {
+        Absence::TotalInternalReflection { k } => node.k = Some(k),
+        Absence::FacingAway { n_dot_l } => node.n_dot_l = Some(n_dot_l),
+        Absence::BelowSurface { n_dot_r } => node.n_dot_r = Some(n_dot_r),
+        Absence::OutsideCone { cos_angle } => node.cos_angle = Some(cos_angle),
+        Absence::MinWeight { weight } => node.weight = Some(weight),
+        _ => {}
+    }
+    node
+}
+
+fn visit_step(view: View, visit: &Visit) -> Step {
+    let child = |id: u32| (id != NONE).then_some(id);
+    Step::Visit {
+        node: visit.node,
+        plane: view.world.accel.plane(visit.node).map(|(n, d)| {
+            let DVec3 { x, y, z } = n;
+            [x, y, z, d]
+        }),
+        t_split: finite(visit.t_split),
+        interval: visit.interval.map(finite),
+        near: child(visit.near),
+        far: child(visit.far),
+        visit: visit.choice.visit(),
+        reason: visit.choice.reason(),
+    }
+}
+
+fn test_step(view: View, primitive: u32, verdict: Verdict, t: f64) -> Step {
+    let scene = &view.world.scene;
+    Step::Test {
+        test: Tested {
+            object: scene.object_of(primitive).name.clone(),
+            primitive: scene.local_index(primitive),
+        },
+        result: verdict.name(),
+        t: finite(t),
+        reason: verdict.reason(),
+    }
+}
+
+fn light_name(view: View, light: u32) -> Option<String> {
+    (light != NONE).then(|| view.light_name(light).to_owned())
+}
+
+/// JSON has no infinity and no NaN: an open end is null.
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}
+
+impl Choice {
+    /// Which children are visited, as JSON says it.
+    fn visit(self) -> &'static str {
+        match self {
+            Self::Both => "both",
+            Self::NearSplitBeyond | Self::NearRunsAway => "near",
+            Self::FarSplitBefore => "far",
+            Self::Leaf | Self::SkippedCloserHit | Self::SkippedOutside => "none",
+        }
+    }
+
+    /// Why, in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Leaf => "leaf: its primitives are tested",
+            Self::Both => "the plane is crossed inside the interval",
+            Self::NearSplitBeyond => "far side skipped: the plane is crossed behind the interval",
+            Self::NearRunsAway => "far side skipped: the ray does not run towards the plane",
+            Self::FarSplitBefore => "near side skipped: the plane is crossed before the interval",
+            Self::SkippedCloserHit => "skipped: a hit is known before the ray enters the node",
+            Self::SkippedOutside => "skipped: the ray misses the box around the scene",
+        }
+    }
+}
+
+impl Verdict {
+    /// As JSON says it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hit => "hit",
+            Self::Miss => "miss",
+            Self::TooFar => "too-far",
+            Self::Behind => "behind",
+        }
+    }
+
+    /// What it means, in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Hit => "the closest hit so far",
+            Self::Miss => "the ray's line does not cross it",
+            Self::TooFar => "crossed, but not before the closest hit so far or the light",
+            Self::Behind => "crossed behind the ray's origin",
+        }
+    }
+}

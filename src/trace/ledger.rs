@@ -1,0 +1,89 @@
+//! The ledger: every colour accounted for, to the last bit.
+//!
+//! For each node, its terms and its weighted children, added in the order in which the tracer added them, are its
+//! radiance; the weighted roots are the pixel.
+
+use super::{PixelTrace, RayTree};
+use crate::math::Rgb;
+use crate::probe::{Event, RayKind, Term};
+
+/// One summand of a node's radiance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Entry {
+    /// A term of the shading equation.
+    Term {
+        /// Which.
+        term: Term,
+        /// The light that it comes from, or [`crate::probe::NONE`].
+        light: u32,
+        /// Its value.
+        value: Rgb,
+    },
+    /// What an R or T ray brought back.
+    Child {
+        /// The node.
+        node: u32,
+        /// R or T.
+        kind: RayKind,
+        /// Its factor.
+        weight: Rgb,
+        /// What it brought back.
+        radiance: Rgb,
+    },
+}
+
+impl Entry {
+    /// What it adds.
+    pub fn value(&self) -> Rgb {
+        match *self {
+            Self::Term { value, .. } => value,
+            Self::Child {
+                weight, radiance, ..
+            } => weight * radiance,
+        }
+    }
+}
+
+/// The summands of a node's radiance, in the order in which they were added.
+pub fn entries(tree: &RayTree, id: u32) -> Vec<Entry> {
+    let terms = tree.own_events(id).filter_map(|(_, event)| match *event {
+        Event::Term { term, light, value } => Some(Entry::Term { term, light, value }),
+        _ => None,
+    });
+    let children = tree.children(id).filter_map(|node| {
+        let child = tree.node(node);
+        (child.sent.kind != RayKind::Light).then_some(Entry::Child {
+            node,
+            kind: child.sent.kind,
+            weight: child.sent.weight,
+            radiance: child.radiance,
+        })
+    });
+    // All terms come before the first R or T ray, so this is the tracer's order.
+    terms.chain(children).collect()
+}
+
+/// The sum of a node's entries.
+pub fn sum(tree: &RayTree, id: u32) -> Rgb {
+    entries(tree, id)
+        .iter()
+        .fold(Rgb::BLACK, |sum, entry| sum + entry.value())
+}
+
+/// The first node whose ledger does not close, if there is one. A log that was cut need not close.
+pub fn first_open(tree: &RayTree) -> Option<u32> {
+    (0..tree.nodes.len() as u32).find(|&id| {
+        let node = tree.node(id);
+        node.sent.kind != RayKind::Light && sum(tree, id) != node.radiance
+    })
+}
+
+/// The pixel's colour by its samples' roots.
+pub fn pixel_sum(trace: &PixelTrace) -> Rgb {
+    trace.tree.samples.iter().fold(Rgb::BLACK, |sum, sample| {
+        let radiance = sample
+            .root
+            .map_or(Rgb::BLACK, |root| trace.tree.node(root).radiance);
+        sum + radiance * sample.weight
+    })
+}

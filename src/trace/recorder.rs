@@ -1,0 +1,48 @@
+//! The probe that writes everything down.
+
+use crate::probe::{Event, Probe};
+
+/// Events that a log holds at most.
+pub const MAX_EVENTS: usize = 10_000_000;
+
+/// Bytes that a log takes at most.
+pub const MAX_BYTES: usize = 512 << 20;
+
+/// A flat log of events, bounded: what comes after its limit is counted, not kept.
+#[derive(Clone, Debug)]
+pub struct Recorder<const TRAVERSAL: bool> {
+    /// What happened, in order.
+    pub events: Vec<Event>,
+    /// How many events there was no room for.
+    pub dropped: u64,
+    limit: usize,
+}
+
+impl<const TRAVERSAL: bool> Recorder<TRAVERSAL> {
+    /// A recorder that keeps the first `limit` events.
+    pub fn with_limit(limit: usize) -> Self {
+        Self {
+            events: Vec::new(),
+            dropped: 0,
+            limit: limit.min(MAX_EVENTS).min(MAX_BYTES / size_of::<Event>()),
+        }
+    }
+}
+
+impl<const TRAVERSAL: bool> Default for Recorder<TRAVERSAL> {
+    fn default() -> Self {
+        Self::with_limit(MAX_EVENTS)
+    }
+}
+
+impl<const TRAVERSAL: bool> Probe for Recorder<TRAVERSAL> {
+    const TRAVERSAL: bool = TRAVERSAL;
+
+    fn event(&mut self, event: Event) {
+        if self.events.len() < self.limit {
+            self.events.push(event);
+        } else {
+            self.dropped += 1;
+        }
+    }
+}
