@@ -24,6 +24,11 @@ impl Transform {
         })
     }
 
+    /// The map from object space to world space.
+    pub fn to_world(&self) -> DAffine3 {
+        self.to_world
+    }
+
     /// A point of the object in the world.
     pub fn point(&self, p: DVec3) -> DVec3 {
         self.to_world.transform_point3(p)
