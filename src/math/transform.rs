@@ -62,6 +62,16 @@ impl Transform {
             + gamma(3) * (abs * p.abs() + self.to_world.translation.abs())
     }
 
+    /// How much the map and its inverse together may magnify a relative error: |M| |M^-1| in the Frobenius norm. 3
+    /// for turns and even scales, more for uneven ones.
+    pub fn condition(&self) -> f64 {
+        let norm = |m: &DMat3| {
+            let squares = m.to_cols_array().map(|x| x * x);
+            squares.iter().sum::<f64>().sqrt()
+        };
+        norm(&self.to_world.matrix3) * norm(&self.to_object.matrix3)
+    }
+
     /// True if the map turns right-handed frames into left-handed ones (a mirror image).
     pub fn flips_handedness(&self) -> bool {
         self.to_world.matrix3.determinant() < 0.0
