@@ -110,6 +110,11 @@ impl Accel {
         }
     }
 
+    /// The splitting plane n.p = d of a node: its normal n and d. `None` for leaves and for a list.
+    pub fn plane(&self, id: u32) -> Option<(DVec3, f64)> {
+        self.node(id)?.plane
+    }
+
     /// How large the structure is.
     pub fn stats(&self) -> AccelStats {
         match self {
@@ -146,15 +151,6 @@ impl Accel {
         match self {
             Self::List(list) => list.any(&query, probe),
             Self::Bsp(bsp) => bsp.any(&query, probe),
-        }
-    }
-}
-
-impl Accel {
-    /// The splitting plane n.p = d of a node: its normal n and d. `None` for leaves and for a list.
-    pub fn plane(&self, _node: u32) -> Option<(DVec3, f64)> {
-        match self {
-            Self::List(_) => None,
         }
     }
 }

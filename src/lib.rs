@@ -16,5 +16,6 @@ pub mod shading;
 
 pub mod scene;
 
+pub mod cli;
 pub mod trace;
 pub mod tracer;

@@ -6,6 +6,8 @@
 //! Events carry decisions and ids, not derivations: what can be computed again from them with the tracer's own
 //! functions is not stored. They are plain `Copy` data of at most 96 bytes, so that a log of millions stays small.
 
+mod words;
+
 use crate::geometry::Hit;
 use crate::math::{DVec3, Rgb};
 
@@ -222,19 +224,6 @@ pub enum Term {
     Background,
 }
 
-impl Term {
-    /// Its name in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Emission => "emission",
-            Self::Ambient => "ambient",
-            Self::Diffuse => "diffuse",
-            Self::Specular => "specular",
-            Self::Background => "background",
-        }
-    }
-}
-
 /// Why a ray was not sent. Absence is recorded as carefully as presence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Absence {
@@ -273,24 +262,6 @@ pub enum Absence {
     DepthLimit,
     /// The pixel's share of the ray budget is used up.
     RayBudget,
-}
-
-impl Absence {
-    /// Its name in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::TotalInternalReflection { .. } => "total-internal-reflection",
-            Self::NoReflection => "no-reflection",
-            Self::NoTransmission => "no-transmission",
-            Self::NoLocalLight => "no-local-light",
-            Self::FacingAway { .. } => "facing-away",
-            Self::OutsideCone { .. } => "outside-cone",
-            Self::BelowSurface { .. } => "below-surface",
-            Self::MinWeight { .. } => "min-weight",
-            Self::DepthLimit => "depth-limit",
-            Self::RayBudget => "ray-budget",
-        }
-    }
 }
 
 #[cfg(test)]

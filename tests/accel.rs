@@ -272,7 +272,7 @@ fn globe(rings: usize, bump: impl Fn(f64, f64) -> f64) -> Vec<Shape> {
             std::f64::consts::PI * (j % (2 * rings)) as f64 / rings as f64,
         );
         let (sin, cos) = theta.sin_cos();
-        bump(theta, phi) * DVec3::new(sin * phi.cos(), cos, sin * phi.sin())
+        bump(theta, phi) * DVec3::new(sin * libm::cos(phi), cos, sin * libm::sin(phi))
     };
     (0..rings)
         .flat_map(|i| (0..2 * rings).map(move |j| (i, j)))

@@ -1,14 +1,16 @@
 //! The command line as a user types it: what it prints, where, and with which exit status.
 
 use std::fs;
-use std::path::Path;
 
 use assert_cmd::Command;
 use serde_json::Value;
 
 fn raytree(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_raytree"));
-    command.args(args).env_remove("FORCE_COLOR").env_remove("CLICOLOR_FORCE");
+    command
+        .args(args)
+        .env_remove("FORCE_COLOR")
+        .env_remove("CLICOLOR_FORCE");
     command
 }
 
@@ -33,7 +35,11 @@ fn refused(args: &[&str], code: i32, words: &[&str]) {
     assert_eq!(ran.code, code, "{args:?}: {}", ran.err);
     assert!(ran.out.is_empty(), "{args:?} writes to stdout");
     for word in words {
-        assert!(ran.err.contains(word), "{args:?} says `{word}`:\n{}", ran.err);
+        assert!(
+            ran.err.contains(word),
+            "{args:?} says `{word}`:\n{}",
+            ran.err
+        );
     }
     assert!(!ran.err.contains("panicked"), "{}", ran.err);
 }
@@ -42,7 +48,14 @@ fn refused(args: &[&str], code: i32, words: &[&str]) {
 fn a_png_is_written_whole() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("picture.png");
-    let ran = run(&["render", "triangle", "--size", "40x30", "-o", file.to_str().expect("UTF-8")]);
+    let ran = run(&[
+        "render",
+        "triangle",
+        "--size",
+        "40x30",
+        "-o",
+        file.to_str().expect("UTF-8"),
+    ]);
     assert_eq!((ran.code, ran.err.as_str()), (0, ""));
     assert!(ran.out.is_empty());
     let picture = image::open(&file).expect("a PNG").to_rgb8();
@@ -65,12 +78,18 @@ fn a_piped_picture_is_plain_ascii() {
     let kinds = text.chars().collect::<std::collections::BTreeSet<_>>();
     assert!(kinds.len() > 5, "a picture, not a blank: {kinds:?}");
     let forced = run(&["render", "whitted", "--size", "8x4", "--color", "truecolor"]);
-    assert!(String::from_utf8(forced.out).expect("UTF-8").contains("\x1b[38;2;"));
+    assert!(
+        String::from_utf8(forced.out)
+            .expect("UTF-8")
+            .contains("\x1b[38;2;")
+    );
 }
 
 #[test]
 fn every_format_of_a_tree_is_written() {
-    let base = ["trace", "whitted", "--size", "64x48", "--pixel", "30,20", "--format"];
+    let base = [
+        "trace", "whitted", "--size", "64x48", "--pixel", "30,20", "--format",
+    ];
     let written = |format: &str| {
         let ran = run(&[&base[..], &[format]].concat());
         assert_eq!((ran.code, ran.err.as_str()), (0, ""), "{format}");
@@ -81,10 +100,23 @@ fn every_format_of_a_tree_is_written() {
     assert!(written("dot").starts_with("digraph raytree {"));
     let svg = written("svg");
     assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"));
-    let deep = run(&["trace", "room", "--size", "64x48", "--pixel", "30,20", "--traversal"]);
+    let deep = run(&[
+        "trace",
+        "room",
+        "--size",
+        "64x48",
+        "--pixel",
+        "30,20",
+        "--traversal",
+    ]);
     let tree: Value = serde_json::from_slice(&deep.out).expect("JSON");
-    let steps = tree["samples"][0]["root"]["traversal"].as_array().expect("steps");
-    assert!(steps.iter().any(|s| s.get("node").is_some()), "nodes were visited");
+    let steps = tree["samples"][0]["root"]["traversal"]
+        .as_array()
+        .expect("steps");
+    assert!(
+        steps.iter().any(|s| s.get("node").is_some()),
+        "nodes were visited"
+    );
     assert!(steps.iter().any(|s| s["result"] == "hit"), "a test hit");
 }
 
@@ -94,40 +126,86 @@ fn counters_do_not_depend_on_the_machine() {
     let file = folder.path().join("p.png");
     let file = file.to_str().expect("UTF-8");
     let stats = |threads: &str| -> Value {
-        let ran = run(&["render", "whitted", "--size", "40x30", "-o", file, "--stats", "--json", "--threads", threads]);
+        let ran = run(&[
+            "render",
+            "whitted",
+            "--size",
+            "40x30",
+            "-o",
+            file,
+            "--stats",
+            "--json",
+            "--threads",
+            threads,
+        ]);
         let mut stats: Value = serde_json::from_slice(&ran.out).expect("JSON");
         stats["seconds"].take();
         stats
     };
     assert_eq!(stats("1"), stats("3"));
     assert_eq!(stats("1")["rays"]["I"], 1200);
-    let told = run(&["render", "whitted", "--size", "40x30", "-o", file, "--stats"]);
+    let told = run(&[
+        "render", "whitted", "--size", "40x30", "-o", file, "--stats",
+    ]);
     assert!(told.err.contains("rays") && told.err.contains("tests"));
 }
 
 #[test]
 fn lists_and_schemas_are_printed() {
     let scenes = String::from_utf8(run(&["scenes"]).out).expect("UTF-8");
-    for name in ["whitted", "triangle", "mirrors", "glass-block", "nested-glass", "shadows", "room", "teapot", "bunny"] {
-        assert!(scenes.lines().any(|l| l.starts_with(name)), "{name} in\n{scenes}");
+    for name in [
+        "whitted",
+        "triangle",
+        "mirrors",
+        "glass-block",
+        "nested-glass",
+        "shadows",
+        "room",
+        "teapot",
+        "bunny",
+    ] {
+        assert!(
+            scenes.lines().any(|l| l.starts_with(name)),
+            "{name} in\n{scenes}"
+        );
     }
     for format in ["scene", "tree"] {
         let schema: Value = serde_json::from_slice(&run(&["schema", format]).out).expect("JSON");
         assert!(schema["$schema"].is_string());
     }
     let script = run(&["completions", "bash"]);
-    assert!(String::from_utf8(script.out).expect("UTF-8").contains("raytree"));
+    assert!(
+        String::from_utf8(script.out)
+            .expect("UTF-8")
+            .contains("raytree")
+    );
 }
 
 #[test]
 fn a_wrong_command_line_is_status_2() {
-    refused(&["render", "whitted", "--size", "0x0"], 2, &["--size", "no pixels"]);
-    refused(&["render", "whitted", "--size", "1000000x1000000"], 2, &["--size", "16384"]);
+    refused(
+        &["render", "whitted", "--size", "0x0"],
+        2,
+        &["--size", "no pixels"],
+    );
+    refused(
+        &["render", "whitted", "--size", "1000000x1000000"],
+        2,
+        &["--size", "16384"],
+    );
     refused(&["render", "whitted", "--size", "big"], 2, &["320x240"]);
-    refused(&["render", "whitted", "--min-weight", "NaN"], 2, &["--min-weight"]);
+    refused(
+        &["render", "whitted", "--min-weight", "NaN"],
+        2,
+        &["--min-weight"],
+    );
     refused(&["render", "whitted", "--samples", "0"], 2, &["--samples"]);
     refused(&["trace", "whitted", "--pixel", "middle"], 2, &["160,120"]);
-    refused(&["trace", "whitted", "--pixel", "320,0"], 2, &["320,0", "320x240", "319,239"]);
+    refused(
+        &["trace", "whitted", "--pixel", "320,0"],
+        2,
+        &["320,0", "320x240", "319,239"],
+    );
     refused(&["trace", "whitted", "--pixel", "-1,0"], 2, &[]);
     refused(&["trace", "whitted"], 2, &["--pixel"]);
     refused(&["paint", "whitted"], 2, &["paint"]);
@@ -136,11 +214,19 @@ fn a_wrong_command_line_is_status_2() {
 #[test]
 fn a_wrong_scene_is_status_1() {
     refused(&["render", "whited"], 1, &["whited", "whitted"]);
-    refused(&["render", "no/such/scene.json"], 1, &["no/such/scene.json"]);
+    refused(
+        &["render", "no/such/scene.json"],
+        1,
+        &["no/such/scene.json"],
+    );
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("broken.json");
     fs::write(&file, "{ \"format\": \"raytree-scene/1\",\n  \"camera\": {").expect("writable");
-    refused(&["trace", file.to_str().expect("UTF-8"), "--pixel", "0,0"], 1, &["broken.json", ":2:"]);
+    refused(
+        &["trace", file.to_str().expect("UTF-8"), "--pixel", "0,0"],
+        1,
+        &["broken.json", ":2:"],
+    );
 }
 
 #[test]
@@ -148,7 +234,14 @@ fn what_cannot_be_written_is_status_1_and_leaves_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let missing = folder.path().join("no-such-folder/p.png");
     refused(
-        &["render", "triangle", "--size", "8x6", "-o", missing.to_str().expect("UTF-8")],
+        &[
+            "render",
+            "triangle",
+            "--size",
+            "8x6",
+            "-o",
+            missing.to_str().expect("UTF-8"),
+        ],
         1,
         &["no-such-folder", "cannot be written"],
     );
@@ -162,31 +255,55 @@ fn a_failed_command_does_not_touch_the_old_file() {
     let file = folder.path().join("old.json");
     fs::write(&file, "precious").expect("writable");
     let name = file.to_str().expect("UTF-8");
-    refused(&["trace", "whitted", "--pixel", "999,0", "-o", name], 2, &["outside"]);
+    refused(
+        &["trace", "whitted", "--pixel", "999,0", "-o", name],
+        2,
+        &["outside"],
+    );
     assert_eq!(fs::read_to_string(&file).expect("still there"), "precious");
     let names: Vec<_> = fs::read_dir(folder.path()).expect("a folder").collect();
     assert_eq!(names.len(), 1, "no temporary file is left");
 }
 
+/// The eye inside a mirror ball: rays that never end by themselves.
+const MIRROR_BALL: &str = r#"{ "format": "raytree-scene/1",
+  "camera": { "eye": [0, 0, 0.5], "look_at": [0, 0.1, 0] },
+  "materials": { "mirror": { "mirror": [0.99, 0.99, 0.99], "ambient": [0.1, 0.1, 0.1] } },
+  "ambient": [1, 1, 1],
+  "objects": [ { "sphere": { "name": "ball", "material": "mirror", "center": [0, 0, 0], "radius": 1 } } ] }"#;
+
 #[test]
 fn endless_depth_is_bounded_and_status_3_keeps_the_picture() {
     let folder = tempfile::tempdir().expect("a folder");
-    let picture = folder.path().join("deep.png");
-    let picture = Path::new(&picture);
-    let ran = run(&[
-        "render", "mirrors", "--size", "16x12", "--depth", "1000000000", "--min-weight", "0",
-        "--max-rays", "2000000", "-o", picture.to_str().expect("UTF-8"),
-    ]);
-    assert_eq!(ran.code, 3, "{}", ran.err);
-    assert!(ran.err.contains("stopped at a limit"), "{}", ran.err);
-    assert_eq!(image::open(picture).expect("kept").to_rgb8().dimensions(), (16, 12));
-    // The same pixel alone: cut at the same place, and told.
-    let traced = run(&[
-        "trace", "mirrors", "--size", "16x12", "--depth", "1000000000", "--min-weight", "0",
-        "--max-rays", "2000000", "--pixel", "8,6", "--format", "text",
-    ]);
-    assert_eq!(traced.code, 3, "{}", traced.err);
-    assert!(String::from_utf8_lossy(&traced.out).contains("depth-limit"));
+    let scene = folder.path().join("ball.json");
+    fs::write(&scene, MIRROR_BALL).expect("writable");
+    let scene = scene.to_str().expect("UTF-8");
+    let file = folder.path().join("deep.png");
+    let picture = file.to_str().expect("UTF-8");
+    let endless = [
+        "--size",
+        "16x12",
+        "--depth",
+        "1000000000",
+        "--min-weight",
+        "0",
+    ];
+    // By the deepest recursion, and by the ray budget: 10 rays a pixel.
+    for (budget, reason) in [("1000000000", "depth-limit"), ("1920", "ray-budget")] {
+        let limits = [&endless[..], &["--max-rays", budget]].concat();
+        let ran = run(&[&["render", scene, "-o", picture], &limits[..]].concat());
+        assert_eq!(ran.code, 3, "{}", ran.err);
+        assert!(ran.err.contains("stopped at a limit"), "{}", ran.err);
+        assert_eq!(
+            image::open(&file).expect("kept").to_rgb8().dimensions(),
+            (16, 12)
+        );
+        // The same pixel alone is cut at the same place, and says so.
+        let pixel = ["trace", scene, "--pixel", "8,6", "--format", "text"];
+        let traced = run(&[&pixel[..], &limits[..]].concat());
+        assert_eq!(traced.code, 3, "{}", traced.err);
+        assert!(String::from_utf8_lossy(&traced.out).contains(reason));
+    }
 }
 
 #[test]

@@ -12,12 +12,19 @@ fn film(world: &World, settings: &Settings, threads: usize) -> Film {
 }
 
 fn bits(pixels: &[Rgb]) -> Vec<[u64; 3]> {
-    pixels.iter().map(|c| c.channels().map(f64::to_bits)).collect()
+    pixels
+        .iter()
+        .map(|c| c.channels().map(f64::to_bits))
+        .collect()
 }
 
 fn settings_of(name: &str, width: u32, height: u32) -> Settings {
     let base = scene::load(name).expect("a built-in scene").settings;
-    Settings { width, height, ..base }
+    Settings {
+        width,
+        height,
+        ..base
+    }
 }
 
 #[test]
@@ -32,7 +39,12 @@ fn all_accelerators_and_thread_counts_draw_the_same_bits() {
             let world = World::new(scene.clone(), kind);
             for threads in [1, 8] {
                 let got = film(&world, &settings, threads);
-                assert_eq!(bits(&expected.pixels), bits(&got.pixels), "{name}, {}, {threads} threads", kind.name());
+                assert_eq!(
+                    bits(&expected.pixels),
+                    bits(&got.pixels),
+                    "{name}, {}, {threads} threads",
+                    kind.name()
+                );
                 assert_eq!(expected.rays, got.rays);
             }
         }
@@ -52,9 +64,16 @@ fn listening_changes_nothing() {
         for (x, y) in [(10, 7), (3, 12), (17, 2), (9, 11)] {
             for traversal in [false, true] {
                 let trace = trace_pixel(&world, &settings, (x, y), traversal);
-                assert_eq!(bits(&[trace.pixel.color]), bits(&[silent.at(x, y)]), "{name} ({x}, {y})");
+                assert_eq!(
+                    bits(&[trace.pixel.color]),
+                    bits(&[silent.at(x, y)]),
+                    "{name} ({x}, {y})"
+                );
                 assert_eq!(ledger::first_open(&trace.tree), None);
-                assert_eq!(bits(&[ledger::pixel_sum(&trace)]), bits(&[trace.pixel.color]));
+                assert_eq!(
+                    bits(&[ledger::pixel_sum(&trace)]),
+                    bits(&[trace.pixel.color])
+                );
             }
         }
     }
@@ -70,7 +89,10 @@ fn jittered_samples_are_the_same_on_every_thread_and_change_with_the_seed() {
     let world = World::new(scene::load("whitted").expect("built in"), settings.accel);
     let one = film(&world, &settings, 1);
     assert_eq!(one, film(&world, &settings, 8));
-    let other = Settings { seed: 1, ..settings };
+    let other = Settings {
+        seed: 1,
+        ..settings
+    };
     assert_ne!(one, film(&world, &other, 8));
 }
 

@@ -34,7 +34,11 @@ fn house() -> Vec<(Option<usize>, String, String)> {
     let files = sources(&root);
     assert!(files.len() > 30, "the house is here");
     let describe = |path: PathBuf| {
-        let name = path.strip_prefix(&root).expect("below src").display().to_string();
+        let name = path
+            .strip_prefix(&root)
+            .expect("below src")
+            .display()
+            .to_string();
         let first = name.split(['/', '\\', '.']).next().unwrap_or_default();
         let layer = LAYERS.iter().position(|l| *l == first);
         let text = fs::read_to_string(&path).expect("UTF-8");
@@ -45,7 +49,10 @@ fn house() -> Vec<(Option<usize>, String, String)> {
 
 /// The code without comments and without its tests, which stand at the end of a file.
 fn code(text: &str) -> String {
-    let body = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
+    let body = text
+        .split("#[cfg(test)]\nmod tests")
+        .next()
+        .unwrap_or_default();
     body.lines()
         .map(|line| line.split("//").next().unwrap_or_default())
         .collect::<Vec<_>>()
@@ -57,7 +64,10 @@ fn used(code: &str) -> Vec<usize> {
     let after = code.split("crate::").skip(1);
     after
         .filter_map(|rest| {
-            let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            let name: String = rest
+                .chars()
+                .take_while(|c| c.is_alphanumeric() || *c == '_')
+                .collect();
             LAYERS.iter().position(|l| *l == name)
         })
         .collect()
@@ -67,7 +77,10 @@ fn used(code: &str) -> Vec<usize> {
 fn a_layer_uses_only_those_below_it() {
     for (layer, name, text) in house() {
         let Some(layer) = layer else { continue };
-        assert!(!code(&text).contains("use crate::{"), "{name}: name each layer in a line of its own");
+        assert!(
+            !code(&text).contains("use crate::{"),
+            "{name}: name each layer in a line of its own"
+        );
         for other in used(&code(&text)) {
             assert!(
                 other <= layer || FACES.contains(&LAYERS[layer]),
@@ -81,7 +94,12 @@ fn a_layer_uses_only_those_below_it() {
 
 #[test]
 fn the_rule_of_layers_can_fail() {
-    assert_eq!(used(&code("use crate::trace::tree;\nfn f() { crate::math::g() }")), [7, 0]);
+    assert_eq!(
+        used(&code(
+            "use crate::trace::tree;\nfn f() { crate::math::g() }"
+        )),
+        [7, 0]
+    );
     assert!(used(&code("// use crate::trace")).is_empty());
 }
 

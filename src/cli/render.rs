@@ -65,16 +65,13 @@ impl Render {
         let (film, counts) = self.film(&world, &settings, &interrupted);
         let seconds = start.elapsed().as_secs_f64();
 
-        match &self.output {
-            Some(path) => {
-                let bytes = png::encode(&film, settings.exposure).map_err(std::io::Error::other);
-                output::write(Some(path), |out| out.write_all(&bytes?))?;
-            }
-            None => {
-                let level = self.color.level();
-                let picture = text::lines(&film, settings.exposure, level);
-                output::to_stdout(picture.as_bytes())?;
-            }
+        if let Some(path) = &self.output {
+            let bytes = png::encode(&film, settings.exposure).map_err(std::io::Error::other);
+            output::write(Some(path), |out| out.write_all(&bytes?))?;
+        } else {
+            let level = self.color.level();
+            let picture = text::lines(&film, settings.exposure, level);
+            output::to_stdout(picture.as_bytes())?;
         }
         if let Some(counts) = counts {
             self.tell(&settings, &counts, seconds)?;
@@ -91,7 +88,12 @@ impl Render {
     }
 
     /// Renders with a progress bar; counting costs a little, so it is done only if somebody asks.
-    fn film(&self, world: &World, settings: &Settings, stop: &AtomicBool) -> (Film, Option<Counts>) {
+    fn film(
+        &self,
+        world: &World,
+        settings: &Settings,
+        stop: &AtomicBool,
+    ) -> (Film, Option<Counts>) {
         let bar = progress_bar(settings);
         let rays = std::sync::atomic::AtomicU64::new(0);
         let start = Instant::now();
@@ -143,7 +145,10 @@ impl Render {
         eprintln!("rays    {rays} (I {incident}, L {light}, R {reflected}, T {transmitted})");
         eprintln!("nodes   {nodes} ({:.1} a ray)", per_ray(nodes));
         eprintln!("tests   {tests} ({:.1} a ray, {hits} hits)", per_ray(tests));
-        eprintln!("time    {seconds:.3} s ({:.2} million rays/s)", rays as f64 / seconds / 1e6);
+        eprintln!(
+            "time    {seconds:.3} s ({:.2} million rays/s)",
+            rays as f64 / seconds / 1e6
+        );
         Ok(Done::Whole)
     }
 }

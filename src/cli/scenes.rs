@@ -22,10 +22,15 @@ impl Scenes {
             return output::to_stdout(format!("{:#}\n", serde_json::Value::from(list)).as_bytes());
         }
         let width = scenes.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-        let lines: String = scenes
+        let lines: Vec<String> = scenes
             .iter()
-            .map(|(name, note)| format!("{name:width$}  {note}\n"))
+            .map(|(name, note)| {
+                format!(
+                    "{name:width$}  {note}
+"
+                )
+            })
             .collect();
-        output::to_stdout(lines.as_bytes())
+        output::to_stdout(lines.concat().as_bytes())
     }
 }

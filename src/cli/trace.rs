@@ -1,6 +1,5 @@
 //! `raytree trace`: the ray tree of one pixel.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -68,7 +67,9 @@ impl Trace {
         })?;
         if trace.tree.dropped > 0 {
             let dropped = trace.tree.dropped;
-            eprintln!("warning: the log is full; {dropped} events were not kept (try a smaller --depth)");
+            eprintln!(
+                "warning: the log is full; {dropped} events were not kept (try a smaller --depth)"
+            );
             return Ok(Done::Cut);
         }
         if trace.pixel.cut {

@@ -3,17 +3,17 @@
 //! The types below are the format; the JSON Schema is generated from them. A tree is written node by node while it is
 //! visited, so a tree of a million rays needs no second copy in memory.
 
+mod node;
+
 use schemars::JsonSchema;
 use serde::ser::SerializeSeq;
 use serde::{Serialize, Serializer};
 
+use self::node::node;
 use super::View;
-use super::arrival::Arrival;
-use super::tree::Outcome;
-use crate::math::{DVec3, Rgb};
-use crate::probe::{Absence, Choice, Event, NONE, RayKind, Term, Verdict, Visit};
+use crate::math::Rgb;
 use crate::scene::Settings;
-use crate::shading::{Fresnel, Side};
+use crate::shading::Fresnel;
 
 /// The value of `format`.
 pub const FORMAT: &str = "raytree/1";
@@ -300,7 +300,11 @@ impl JsonSchema for Children {
 
 /// The JSON Schema of the format.
 pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(Document<Children>).to_value()
+    schemars::generate::SchemaSettings::default()
+        .for_serialize()
+        .into_generator()
+        .into_root_schema_for::<Document<Children>>()
+        .to_value()
 }
 
 /// The document of a recorded pixel, ready to be written.
@@ -355,247 +359,5 @@ fn knobs(settings: &Settings) -> Knobs {
         exposure: settings.exposure,
         max_rays: settings.max_rays,
         accel: settings.accel.name(),
-    }
-}
-
-/// One node, its children still to be visited.
-fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
-    let tree = &view.trace.tree;
-    let this = tree.node(id);
-    let sent = &this.sent;
-    let sums = sent.kind != RayKind::Light;
-    let arrival = view.arrival(id);
-    let scene = &view.world.scene;
-    let mut boundary = None;
-    let (mut terms, mut absent, mut traversal) = (Vec::new(), Vec::new(), Vec::new());
-    for (_, event) in tree.own_events(id) {
-        match *event {
-            Event::Term { term, light, value } => {
-                terms.push(term_node(view, arrival.as_ref(), term, light, value));
-            }
-            Event::Absent {
-                kind,
-                light,
-                reason,
-            } => absent.push(absent_node(view, kind, light, reason)),
-            Event::Boundary {
-                n1,
-                n2,
-                reflectance,
-            } => {
-                boundary = Some(Boundary {
-                    n1,
-                    n2,
-                    reflectance,
-                });
-            }
-            Event::Visit(visit) => traversal.push(visit_step(view, &visit)),
-            Event::Test {
-                primitive,
-                verdict,
-                t,
-            } => traversal.push(test_step(view, primitive, verdict, t)),
-            _ => {}
-        }
-    }
-    Node {
-        id,
-        kind: sent.kind.letter(),
-        depth: sent.depth,
-        origin: sent.origin.to_array(),
-        direction: sent.direction.to_array(),
-        t_min: 0.0,
-        t_max: finite(sent.t_max),
-        weight: sums.then_some(sent.weight),
-        throughput: sums.then_some(this.throughput),
-        medium: scene.medium_name(sent.medium).to_owned(),
-        ior: scene.medium_ior(sent.medium),
-        outcome: this.outcome.map(|outcome| match outcome {
-            Outcome::Hit(_) => "hit",
-            Outcome::Miss => "miss",
-            Outcome::Lit => "lit",
-            Outcome::Blocked(_) => "blocked",
-        }),
-        hit: arrival.as_ref().map(hit_node),
-        light: light_name(view, sent.light),
-        boundary,
-        terms,
-        radiance: sums.then_some(this.radiance),
-        contribution: sums.then_some(this.contribution()),
-        absent,
-        children: Lazy { view, node: id },
-        traversal,
-    }
-}
-
-fn hit_node(arrival: &Arrival) -> HitNode {
-    let Arrival {
-        hit,
-        at,
-        object,
-        primitive,
-        material,
-    } = arrival;
-    let has_corners = hit.barycentric != [0.0; 3];
-    HitNode {
-        t: hit.t,
-        point: at.point.to_array(),
-        object: object.name.clone(),
-        primitive: *primitive,
-        barycentric: has_corners.then_some(hit.barycentric),
-        uv: at.uv.to_array(),
-        geometric_normal: at.geometric_normal.to_array(),
-        normal: at.normal.to_array(),
-        side: match at.side {
-            Side::Front => "front",
-            Side::Back => "back",
-        },
-        material: material.name.clone(),
-    }
-}
-
-/// A term with the factors that it was made of.
-fn term_node(
-    view: View,
-    arrival: Option<&Arrival>,
-    term: Term,
-    light: u32,
-    value: Rgb,
-) -> TermNode {
-    let plain = TermNode {
-        term: term.name(),
-        light: light_name(view, light),
-        value,
-        ..TermNode::default()
-    };
-    let Some(arrival) = arrival else {
-        return plain;
-    };
-    let lighting = view.lighting(arrival, light);
-    let intensity = lighting.map(|l| l.light.intensity);
-    match term {
-        Term::Emission | Term::Background => plain,
-        Term::Ambient => TermNode {
-            ka: Some(arrival.material.ambient_at(arrival.at.uv)),
-            ambient_light: Some(view.world.scene.ambient),
-            ..plain
-        },
-        Term::Diffuse => TermNode {
-            kd: lighting.map(|l| l.kd),
-            intensity,
-            n_dot_l: lighting.map(|l| l.n_dot_l),
-            ..plain
-        },
-        Term::Specular => TermNode {
-            ks: Some(arrival.material.specular),
-            intensity,
-            r_dot_v: lighting.map(|l| l.r_dot_v.max(0.0)),
-            shininess: Some(arrival.material.shininess),
-            ..plain
-        },
-    }
-}
-
-fn absent_node(view: View, kind: RayKind, light: u32, reason: Absence) -> AbsentNode {
-    let mut node = AbsentNode {
-        kind: kind.letter(),
-        reason: reason.name(),
-        light: light_name(view, light),
-        ..AbsentNode::default()
-    };
-    match reason {
-        Absence::TotalInternalReflection { k } => node.k = Some(k),
-        Absence::FacingAway { n_dot_l } => node.n_dot_l = Some(n_dot_l),
-        Absence::BelowSurface { n_dot_r } => node.n_dot_r = Some(n_dot_r),
-        Absence::OutsideCone { cos_angle } => node.cos_angle = Some(cos_angle),
-        Absence::MinWeight { weight } => node.weight = Some(weight),
-        _ => {}
-    }
-    node
-}
-
-fn visit_step(view: View, visit: &Visit) -> Step {
-    let child = |id: u32| (id != NONE).then_some(id);
-    Step::Visit {
-        node: visit.node,
-        plane: view.world.accel.plane(visit.node).map(|(n, d)| {
-            let DVec3 { x, y, z } = n;
-            [x, y, z, d]
-        }),
-        t_split: finite(visit.t_split),
-        interval: visit.interval.map(finite),
-        near: child(visit.near),
-        far: child(visit.far),
-        visit: visit.choice.visit(),
-        reason: visit.choice.reason(),
-    }
-}
-
-fn test_step(view: View, primitive: u32, verdict: Verdict, t: f64) -> Step {
-    let scene = &view.world.scene;
-    Step::Test {
-        test: Tested {
-            object: scene.object_of(primitive).name.clone(),
-            primitive: scene.local_index(primitive),
-        },
-        result: verdict.name(),
-        t: finite(t),
-        reason: verdict.reason(),
-    }
-}
-
-fn light_name(view: View, light: u32) -> Option<String> {
-    (light != NONE).then(|| view.light_name(light).to_owned())
-}
-
-/// JSON has no infinity and no NaN: an open end is null.
-fn finite(x: f64) -> Option<f64> {
-    x.is_finite().then_some(x)
-}
-
-impl Choice {
-    /// Which children are visited, as JSON says it.
-    fn visit(self) -> &'static str {
-        match self {
-            Self::Both => "both",
-            Self::NearSplitBeyond | Self::NearRunsAway => "near",
-            Self::FarSplitBefore => "far",
-            Self::Leaf | Self::SkippedCloserHit | Self::SkippedOutside => "none",
-        }
-    }
-
-    /// Why, in words.
-    pub fn reason(self) -> &'static str {
-        match self {
-            Self::Leaf => "leaf: its primitives are tested",
-            Self::Both => "the plane is crossed inside the interval",
-            Self::NearSplitBeyond => "far side skipped: the plane is crossed behind the interval",
-            Self::NearRunsAway => "far side skipped: the ray does not run towards the plane",
-            Self::FarSplitBefore => "near side skipped: the plane is crossed before the interval",
-            Self::SkippedCloserHit => "skipped: a hit is known before the ray enters the node",
-            Self::SkippedOutside => "skipped: the ray misses the box around the scene",
-        }
-    }
-}
-
-impl Verdict {
-    /// As JSON says it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Hit => "hit",
-            Self::Miss => "miss",
-            Self::TooFar => "too-far",
-            Self::Behind => "behind",
-        }
-    }
-
-    /// What it means, in words.
-    pub fn reason(self) -> &'static str {
-        match self {
-            Self::Hit => "the closest hit so far",
-            Self::Miss => "the ray's line does not cross it",
-            Self::TooFar => "crossed, but not before the closest hit so far or the light",
-            Self::Behind => "crossed behind the ray's origin",
-        }
     }
 }

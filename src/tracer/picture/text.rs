@@ -45,7 +45,11 @@ pub fn lines(film: &Film, exposure: f64, level: ColorLevel) -> String {
             }
             text.push('▀');
         }
-        text.push_str(if level == ColorLevel::Never { "\n" } else { "\x1b[0m\n" });
+        text.push_str(if level == ColorLevel::Never {
+            "\n"
+        } else {
+            "\x1b[0m\n"
+        });
     }
     text
 }

@@ -1,0 +1,84 @@
+//! What things are called, in JSON and in sentences.
+
+use super::{Absence, Choice, Term, Verdict};
+
+impl Term {
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Emission => "emission",
+            Self::Ambient => "ambient",
+            Self::Diffuse => "diffuse",
+            Self::Specular => "specular",
+            Self::Background => "background",
+        }
+    }
+}
+
+impl Absence {
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::TotalInternalReflection { .. } => "total-internal-reflection",
+            Self::NoReflection => "no-reflection",
+            Self::NoTransmission => "no-transmission",
+            Self::NoLocalLight => "no-local-light",
+            Self::FacingAway { .. } => "facing-away",
+            Self::OutsideCone { .. } => "outside-cone",
+            Self::BelowSurface { .. } => "below-surface",
+            Self::MinWeight { .. } => "min-weight",
+            Self::DepthLimit => "depth-limit",
+            Self::RayBudget => "ray-budget",
+        }
+    }
+}
+
+impl Choice {
+    /// Which children are visited, as JSON says it.
+    pub fn visit(self) -> &'static str {
+        match self {
+            Self::Both | Self::BothInDoubt => "both",
+            Self::NearSplitBeyond | Self::NearRunsAway => "near",
+            Self::FarSplitBefore => "far",
+            Self::Leaf | Self::SkippedCloserHit | Self::SkippedOutside => "none",
+        }
+    }
+
+    /// Why, in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Leaf => "leaf: its primitives are tested",
+            Self::Both => "the plane is crossed inside the interval",
+            Self::BothInDoubt => {
+                "the plane is so near that rounding could hide a hit on either side"
+            }
+            Self::NearSplitBeyond => "far side skipped: the plane is crossed behind the interval",
+            Self::NearRunsAway => "far side skipped: the ray does not run towards the plane",
+            Self::FarSplitBefore => "near side skipped: the plane is crossed before the interval",
+            Self::SkippedCloserHit => "skipped: a hit is known before the ray enters the node",
+            Self::SkippedOutside => "skipped: the ray misses the box around the scene",
+        }
+    }
+}
+
+impl Verdict {
+    /// As JSON says it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hit => "hit",
+            Self::Miss => "miss",
+            Self::TooFar => "too-far",
+            Self::Behind => "behind",
+        }
+    }
+
+    /// What it means, in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Hit => "the closest hit so far",
+            Self::Miss => "the ray's line does not cross it",
+            Self::TooFar => "crossed, but not before the closest hit so far or the light",
+            Self::Behind => "crossed behind the ray's origin",
+        }
+    }
+}
