@@ -18,3 +18,5 @@ pub mod scene;
 
 pub mod trace;
 pub mod tracer;
+
+pub mod tui;
