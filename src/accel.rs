@@ -4,8 +4,10 @@
 //! They differ only in how many tests they need. [`List`] tests everything; it is the slow twin that the others are
 //! tested against.
 
+pub mod bsp;
 pub mod list;
 
+pub use bsp::Bsp;
 pub use list::List;
 
 use crate::geometry::{Hit, Intersection, Shape, Shear};
@@ -46,6 +48,38 @@ impl AccelKind {
 pub enum Accel {
     /// Test every shape.
     List(List),
+    /// Descend a tree of planes.
+    Bsp(Bsp),
+}
+
+/// A node of a tree, for readers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeView<'a> {
+    /// The splitting plane n.p = d as (n, d), n unit, in world space; `None` for a leaf.
+    pub plane: Option<(DVec3, f64)>,
+    /// The axis that the plane's normal is, if it is one.
+    pub axis: Option<usize>,
+    /// The children in front of the plane (where n points) and behind it; `None` for a leaf.
+    pub children: Option<[u32; 2]>,
+    /// The primitives of a leaf, or those that lie on the plane.
+    pub primitives: &'a [u32],
+}
+
+/// How large an acceleration structure is; all zero for the list.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AccelStats {
+    /// Nodes, leaves included.
+    pub nodes: usize,
+    /// Nodes that are leaves.
+    pub leaves: usize,
+    /// Nodes that are split by a polygon's own plane.
+    pub polygon_planes: usize,
+    /// Planes on the longest way down.
+    pub depth: u32,
+    /// How often a primitive is referred to.
+    pub references: usize,
+    /// Memory.
+    pub bytes: usize,
 }
 
 /// A ray with what is computed once for all the tests that it goes through.
@@ -61,8 +95,27 @@ pub struct Query<'a> {
 
 impl Accel {
     /// Builds the structure over `shapes`, whose indices become the primitive ids.
-    pub fn build(_kind: AccelKind, shapes: &[Shape]) -> Self {
-        Self::List(List::build(shapes))
+    pub fn build(kind: AccelKind, shapes: &[Shape]) -> Self {
+        match kind {
+            AccelKind::List => Self::List(List::build(shapes)),
+            _ => Self::Bsp(Bsp::build(kind, shapes)),
+        }
+    }
+
+    /// A node of the tree, the root being 0; `None` if there is none of that number.
+    pub fn node(&self, id: u32) -> Option<NodeView<'_>> {
+        match self {
+            Self::List(_) => None,
+            Self::Bsp(bsp) => bsp.node(id),
+        }
+    }
+
+    /// How large the structure is.
+    pub fn stats(&self) -> AccelStats {
+        match self {
+            Self::List(_) => AccelStats::default(),
+            Self::Bsp(bsp) => bsp.stats(),
+        }
     }
 
     /// The closest hit of `ray` inside `interval`.
@@ -76,6 +129,7 @@ impl Accel {
         let query = Query::new(shapes, ray, interval);
         match self {
             Self::List(list) => list.closest(&query, probe),
+            Self::Bsp(bsp) => bsp.closest(&query, probe),
         }
     }
 
@@ -91,6 +145,7 @@ impl Accel {
         let query = Query::new(shapes, ray, interval);
         match self {
             Self::List(list) => list.any(&query, probe),
+            Self::Bsp(bsp) => bsp.any(&query, probe),
         }
     }
 }

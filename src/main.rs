@@ -1,3 +1,7 @@
 //! The command line of raytree.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    raytree::cli::main()
+}

@@ -162,7 +162,8 @@ pub struct Visit {
     pub node: u32,
     /// The part of the ray that is inside it.
     pub interval: [f64; 2],
-    /// Where the ray crosses the splitting plane; NaN for a leaf or if it never does.
+    /// Where the ray's line crosses the splitting plane, negative if behind the origin; NaN for a leaf, for a node
+    /// that is skipped, and if it never does.
     pub t_split: f64,
     /// The child on the side that the ray comes from, or [`NONE`].
     pub near: u32,
@@ -179,6 +180,8 @@ pub enum Choice {
     Leaf,
     /// The plane is crossed within the interval: near, then far.
     Both,
+    /// The ray runs in the plane, starts on it or leaves the node on it, as far as can be told: near, then far.
+    BothInDoubt,
     /// The plane is crossed only behind the interval: the far side is skipped.
     NearSplitBeyond,
     /// The ray runs away from the plane, or along it: the far side is skipped.

@@ -1,11 +1,24 @@
 //! What there is: the scene as the tracer sees it, resolved, checked and in world space.
 //!
-//! [`file`] reads it from JSON; what passed there cannot make the tracer panic.
+//! [`load()`] makes it from a built-in scene, a JSON file or an OBJ file; what passed there cannot make the tracer
+//! panic.
 
+pub mod builtin;
 pub mod camera;
+pub mod error;
+pub mod file;
+mod files;
+pub mod limits;
+mod load;
+mod mesh;
+mod nearest;
+mod obj;
+mod resolve;
 pub mod settings;
 
 pub use camera::Camera;
+pub use error::SceneError;
+pub use load::{list, load};
 pub use settings::{Sampling, Settings};
 
 use crate::accel::{Accel, AccelKind};

@@ -24,6 +24,11 @@ impl Transform {
         })
     }
 
+    /// The map from object space to world space.
+    pub fn to_world(&self) -> DAffine3 {
+        self.to_world
+    }
+
     /// A point of the object in the world.
     pub fn point(&self, p: DVec3) -> DVec3 {
         self.to_world.transform_point3(p)
@@ -55,6 +60,16 @@ impl Transform {
         let abs = DMat3::from_cols(m.x_axis.abs(), m.y_axis.abs(), m.z_axis.abs());
         (gamma(3) + 1.0) * (abs * error)
             + gamma(3) * (abs * p.abs() + self.to_world.translation.abs())
+    }
+
+    /// How much the map and its inverse together may magnify a relative error: |M| |M^-1| in the Frobenius norm. 3
+    /// for turns and even scales, more for uneven ones.
+    pub fn condition(&self) -> f64 {
+        let norm = |m: &DMat3| {
+            let squares = m.to_cols_array().map(|x| x * x);
+            squares.iter().sum::<f64>().sqrt()
+        };
+        norm(&self.to_world.matrix3) * norm(&self.to_object.matrix3)
     }
 
     /// True if the map turns right-handed frames into left-handed ones (a mirror image).

@@ -1,0 +1,237 @@
+//! Following a ray through the tree, front to back.
+
+use super::{Bsp, LEAF, MAX_DEPTH, Node};
+use crate::accel::Query;
+use crate::geometry::Hit;
+use crate::math::{DVec3, Interval};
+use crate::probe::{Choice, Event, NONE, Probe, Visit};
+
+/// A part of the tree that is still to be visited: what lies on a node's plane, then the node's far child.
+#[derive(Clone, Copy)]
+struct Pending {
+    /// The node whose plane that is, or [`NONE`].
+    on: u32,
+    child: u32,
+    /// The part of the ray inside the child.
+    inside: Interval,
+}
+
+/// A ray with what every node asks for.
+struct Walker {
+    origin: [f64; 3],
+    direction: [f64; 3],
+    /// 1 / direction.
+    inverse: [f64; 3],
+    /// How thick every plane is, on each side.
+    slack: f64,
+}
+
+/// What a ray does at a node's plane.
+struct Crossing {
+    near: u32,
+    far: u32,
+    /// Whether the ray never gets there, and the part of it that does.
+    near_missed: bool,
+    near_part: Interval,
+    far_missed: bool,
+    far_part: Interval,
+    /// The origin's distance from the plane and how fast the ray reduces it: it crosses at height / speed.
+    height: f64,
+    speed: f64,
+}
+
+impl Bsp {
+    /// The closest hit.
+    pub fn closest<P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
+        self.search::<false, P>(query, probe)
+    }
+
+    /// The first hit that turns up.
+    pub fn any<P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
+        self.search::<true, P>(query, probe)
+    }
+
+    fn search<const ANY: bool, P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
+        let mut best = None;
+        if test_all::<ANY, P>(query, &self.outside, &mut best, probe) || self.nodes.is_empty() {
+            return best;
+        }
+        let slack = self.slack.around(query.ray.origin);
+        let bounds = self.bounds.padded(DVec3::splat(slack));
+        let Some(inside) = bounds.clip(&query.ray, query.interval) else {
+            if P::TRAVERSAL {
+                probe.event(ended(0, query.interval, Choice::SkippedOutside));
+            }
+            return best;
+        };
+        let walker = Walker {
+            origin: query.ray.origin.to_array(),
+            direction: query.ray.direction.to_array(),
+            inverse: query.ray.direction.recip().to_array(),
+            slack,
+        };
+
+        // Each level of the tree leaves at most one far child behind.
+        let root = Pending {
+            on: NONE,
+            child: 0,
+            inside,
+        };
+        let mut stack = [root; MAX_DEPTH as usize + 2];
+        let mut waiting = 1;
+        while waiting > 0 {
+            waiting -= 1;
+            let next = stack[waiting];
+            // A hit at the very entry does not count: one beyond it may be as close and have the smaller id.
+            if best.is_some_and(|hit| hit.t < next.inside.min) {
+                if P::TRAVERSAL {
+                    probe.event(ended(next.child, next.inside, Choice::SkippedCloserHit));
+                }
+                continue;
+            }
+            if next.on != NONE {
+                let on = self.primitives(&self.nodes[next.on as usize]);
+                if test_all::<ANY, P>(query, on, &mut best, probe) {
+                    return best;
+                }
+            }
+            // Down to a leaf: the near child at once, the far one later.
+            let (mut id, mut inside) = (next.child, next.inside);
+            let leaf = loop {
+                let node = &self.nodes[id as usize];
+                if node.plane == LEAF {
+                    break node;
+                }
+                let crossing = self.cross(&walker, id, node, inside);
+                if P::TRAVERSAL {
+                    probe.event(Event::Visit(crossing.visit(id, inside)));
+                }
+                if !crossing.near_missed && !crossing.far_missed {
+                    stack[waiting] = Pending {
+                        on: if node.count > 0 { id } else { NONE },
+                        child: crossing.far,
+                        inside: crossing.far_part,
+                    };
+                    waiting += 1;
+                }
+                (id, inside) = if crossing.near_missed {
+                    (crossing.far, crossing.far_part)
+                } else {
+                    (crossing.near, crossing.near_part)
+                };
+            };
+            if P::TRAVERSAL {
+                probe.event(ended(id, inside, Choice::Leaf));
+            }
+            if test_all::<ANY, P>(query, self.primitives(leaf), &mut best, probe) {
+                return best;
+            }
+        }
+        best
+    }
+
+    /// Which children the ray reaches inside a node, and where. Each child's side of the plane is grown by the slack.
+    /// NaN, from 0 times infinity, keeps a child in.
+    #[inline]
+    fn cross(&self, walker: &Walker, id: u32, node: &Node, inside: Interval) -> Crossing {
+        let (s, climb, inverse) = if node.plane < 3 {
+            let axis = node.plane as usize;
+            let s = walker.origin[axis] - node.d;
+            (s, walker.direction[axis], walker.inverse[axis])
+        } else {
+            let n = self.normals[node.plane as usize - 3];
+            let climb = n.dot(DVec3::from(walker.direction));
+            let s = n.dot(DVec3::from(walker.origin)) - node.d;
+            (s, climb, 1.0 / climb)
+        };
+        // Near is the side that the origin is on.
+        let (near, far, height, speed, inverse) = if s >= 0.0 {
+            (id + 1, node.back, s, -climb, -inverse)
+        } else {
+            (node.back, id + 1, -s, climb, inverse)
+        };
+        let Interval { min, max } = inside;
+        let t_above = (height - walker.slack) * inverse;
+        let t_below = (height + walker.slack) * inverse;
+        let (near_missed, near_part, far_missed, far_part);
+        if speed > 0.0 {
+            // Towards the plane: near until it is left below, far once it is no longer above.
+            near_missed = t_below < min;
+            near_part = Interval::new(min, max.min(t_below));
+            far_missed = t_above > max;
+            far_part = Interval::new(min.max(t_above), max);
+        } else {
+            // Away from it or along it: far only as long as it is not yet above.
+            near_missed = false;
+            near_part = inside;
+            far_missed = if speed < 0.0 {
+                t_above < min
+            } else {
+                height > walker.slack
+            };
+            far_part = Interval::new(min, if speed < 0.0 { max.min(t_above) } else { max });
+        }
+        Crossing {
+            near,
+            far,
+            near_missed,
+            near_part,
+            far_missed,
+            far_part,
+            height,
+            speed,
+        }
+    }
+}
+
+impl Crossing {
+    /// The step in words, at a node that the ray is inside of for this interval.
+    fn visit(&self, node: u32, inside: Interval) -> Visit {
+        let t_split = self.height / self.speed;
+        let clear = self.speed > 0.0 && inside.contains(t_split);
+        let choice = match (self.near_missed, self.far_missed) {
+            (false, false) if clear => Choice::Both,
+            (false, false) => Choice::BothInDoubt,
+            (false, true) if self.speed > 0.0 => Choice::NearSplitBeyond,
+            (false, true) => Choice::NearRunsAway,
+            (true, _) => Choice::FarSplitBefore,
+        };
+        Visit {
+            node,
+            interval: [inside.min, inside.max],
+            t_split: if self.speed == 0.0 { f64::NAN } else { t_split },
+            near: self.near,
+            far: self.far,
+            choice,
+        }
+    }
+}
+
+/// The step at a node that goes no further down.
+fn ended(node: u32, inside: Interval, choice: Choice) -> Event {
+    Event::Visit(Visit {
+        node,
+        interval: [inside.min, inside.max],
+        t_split: f64::NAN,
+        near: NONE,
+        far: NONE,
+        choice,
+    })
+}
+
+/// Tests primitives; true if no more need be: any hit will do and there is one.
+#[inline]
+fn test_all<const ANY: bool, P: Probe>(
+    query: &Query,
+    primitives: &[u32],
+    best: &mut Option<Hit>,
+    probe: &mut P,
+) -> bool {
+    for &primitive in primitives {
+        query.test(primitive, best, probe);
+        if ANY && best.is_some() {
+            return true;
+        }
+    }
+    false
+}

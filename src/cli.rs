@@ -1,0 +1,87 @@
+//! The command line: one file a command.
+
+mod output;
+mod render;
+mod scenes;
+mod schema;
+mod settings;
+mod trace;
+
+use std::io;
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser, Subcommand};
+
+pub use output::Failure;
+
+/// What a command came to, if nothing was wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Done {
+    /// All of it.
+    Whole,
+    /// Stopped at a limit; what was made is kept.
+    Cut,
+}
+
+/// A ray tracer that keeps the answer to "why does this pixel have this colour?"
+///
+/// Without a command it opens the debugger on a built-in scene. SCENE is the name of a built-in scene (see `raytree
+/// scenes`), a .json scene file, or an .obj file.
+#[derive(Parser)]
+#[command(version, max_term_width = 100, arg_required_else_help = false)]
+#[command(
+    after_help = "Exit status: 0 done, 1 the input is wrong, 2 the command line is wrong, \
+3 stopped at a limit (what was made is kept)."
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Render a scene to a PNG file, or as text on the terminal
+    Render(render::Render),
+    /// Write the ray tree of one pixel
+    Trace(trace::Trace),
+    /// List the built-in scenes
+    Scenes(scenes::Scenes),
+    /// Print the JSON Schema of scene files or of ray trees
+    Schema(schema::Schema),
+    /// Print a completion script for your shell
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+}
+
+/// Runs the command line of this process; prints what went wrong.
+pub fn main() -> ExitCode {
+    match run(Cli::parse()) {
+        Ok(Done::Whole) => ExitCode::SUCCESS,
+        Ok(Done::Cut) => ExitCode::from(3),
+        // A reader that has seen enough is no error.
+        Err(Failure::Output { source, .. }) if source.kind() == io::ErrorKind::BrokenPipe => {
+            ExitCode::SUCCESS
+        }
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            failure.exit_code()
+        }
+    }
+}
+
+fn run(cli: Cli) -> Result<Done, Failure> {
+    match cli.command {
+        None => Ok(Done::Whole),
+        Some(Command::Render(command)) => command.run(),
+        Some(Command::Trace(command)) => command.run(),
+        Some(Command::Scenes(command)) => command.run(),
+        Some(Command::Schema(command)) => command.run(),
+        Some(Command::Completions { shell }) => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Cli::command(), "raytree", &mut script);
+            output::to_stdout(&script)
+        }
+    }
+}

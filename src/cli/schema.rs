@@ -1,0 +1,29 @@
+//! `raytree schema`: the formats, for editors and graders.
+
+use clap::{Args, ValueEnum};
+
+use super::{Done, Failure, output};
+
+#[derive(Args)]
+pub struct Schema {
+    /// Which format
+    format: Format,
+}
+
+#[derive(ValueEnum, Clone, Copy)]
+enum Format {
+    /// Scene files
+    Scene,
+    /// Ray trees
+    Tree,
+}
+
+impl Schema {
+    pub fn run(&self) -> Result<Done, Failure> {
+        let schema = match self.format {
+            Format::Scene => crate::scene::file::schema(),
+            Format::Tree => crate::trace::json::schema(),
+        };
+        output::to_stdout(format!("{schema:#}\n").as_bytes())
+    }
+}

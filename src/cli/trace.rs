@@ -1,0 +1,87 @@
+//! `raytree trace`: the ray tree of one pixel.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use super::settings::SceneArgs;
+use super::{Done, Failure, output};
+use crate::trace::{View, diagram, json, text, trace_pixel};
+
+#[derive(Args)]
+pub struct Trace {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// The pixel; 0,0 is the top left corner
+    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
+    pixel: (u32, u32),
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// How to write the tree
+    #[arg(long, value_enum, default_value_t = Format::Json)]
+    format: Format,
+    /// Add every node visited and every shape tested
+    #[arg(long)]
+    traversal: bool,
+}
+
+#[derive(ValueEnum, Clone, Copy)]
+enum Format {
+    /// For programs: the format raytree/1 (see `raytree schema tree`)
+    Json,
+    /// For reading
+    Text,
+    /// A Graphviz diagram
+    Dot,
+    /// A picture of the tree
+    Svg,
+}
+
+impl Trace {
+    pub fn run(&self) -> Result<Done, Failure> {
+        let (world, settings) = self.scene.load()?;
+        let (x, y) = self.pixel;
+        let (width, height) = settings.size();
+        if x >= width || y >= height {
+            return Err(Failure::Usage(format!(
+                "pixel {x},{y} is outside the picture of {width}x{height}; the last one is {},{} (see --size)",
+                width - 1,
+                height - 1
+            )));
+        }
+        let trace = trace_pixel(&world, &settings, self.pixel, self.traversal);
+        let view = View {
+            world: &world,
+            settings: &settings,
+            trace: &trace,
+        };
+        output::write(self.output.as_deref(), |out| match self.format {
+            Format::Json => {
+                serde_json::to_writer_pretty(&mut *out, &json::document(view))?;
+                writeln!(out)
+            }
+            Format::Text => write!(out, "{}", text::Text(view)),
+            Format::Dot => write!(out, "{}", diagram::Dot(view)),
+            Format::Svg => write!(out, "{}", diagram::Svg(view)),
+        })?;
+        if trace.tree.dropped > 0 {
+            let dropped = trace.tree.dropped;
+            eprintln!("warning: the log is full; {dropped} events were not kept (try a smaller --depth)");
+            return Ok(Done::Cut);
+        }
+        if trace.pixel.cut {
+            eprintln!("warning: {}", super::render::CUT);
+            return Ok(Done::Cut);
+        }
+        Ok(Done::Whole)
+    }
+}
+
+fn parse_pixel(text: &str) -> Result<(u32, u32), String> {
+    let wrong = || format!("`{text}` is no pixel; write X,Y, such as 160,120");
+    let (x, y) = text.split_once(',').ok_or_else(wrong)?;
+    let number = |digits: &str| digits.trim().parse::<u32>().map_err(|_| wrong());
+    Ok((number(x)?, number(y)?))
+}

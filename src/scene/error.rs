@@ -1,0 +1,156 @@
+//! What is wrong with a scene, where, and what to do about it.
+
+use std::fmt;
+
+/// Why a scene cannot be used. Its text has two lines: where and what, then what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SceneError {
+    /// The file, or the name of the built-in scene.
+    pub file: String,
+    /// Line and column, from 1, if the place is known as such; a column of 0 stands for the whole line.
+    pub position: Option<(usize, usize)>,
+    /// The path of the field, such as `objects[3].sphere.radius`; empty if it is not about a field.
+    pub field: String,
+    /// What is wrong and what to do.
+    pub problem: Problem,
+}
+
+/// What is wrong, and what to do about it, both as plain sentences without a full stop.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// What is wrong.
+    pub what: String,
+    /// What to do.
+    pub cure: String,
+}
+
+impl Problem {
+    /// A problem and its cure.
+    pub fn new(what: impl Into<String>, cure: impl Into<String>) -> Self {
+        Self {
+            what: what.into(),
+            cure: cure.into(),
+        }
+    }
+
+    /// The problem as one of a whole file.
+    pub fn in_file(self, file: &str) -> SceneError {
+        SceneError {
+            file: file.to_string(),
+            position: None,
+            field: String::new(),
+            problem: self,
+        }
+    }
+
+    /// The problem as one of a line of a file.
+    pub fn in_line(self, file: &str, line: usize) -> SceneError {
+        SceneError {
+            position: Some((line, 0)),
+            ..self.in_file(file)
+        }
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = self.file.clone();
+        match self.position {
+            Some((line, 0)) => text += &format!(":{line}"),
+            Some((line, column)) => text += &format!(":{line}:{column}"),
+            None => {}
+        }
+        if !self.field.is_empty() {
+            text += &format!(": {}", self.field);
+        }
+        text += &format!(": {}", self.problem.what);
+        write!(f, "{}\n  {}", printable(&text), printable(&self.problem.cure))
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+/// The text without control characters, and not endless: what a stranger's file says must not steer a terminal.
+pub fn printable(text: &str) -> String {
+    const LENGTH: usize = 600;
+    let mut shown: String = text
+        .chars()
+        .take(LENGTH)
+        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .collect();
+    if text.chars().nth(LENGTH).is_some() {
+        shown.push_str("...");
+    }
+    shown
+}
+
+/// A place in a scene file: the file and the path of a field, from which longer paths are made.
+#[derive(Clone, Debug)]
+pub struct Place<'a> {
+    file: &'a str,
+    path: String,
+}
+
+impl<'a> Place<'a> {
+    /// The whole file.
+    pub fn root(file: &'a str) -> Self {
+        Self {
+            file,
+            path: String::new(),
+        }
+    }
+
+    /// The field `key` of the object at this place.
+    pub fn key(&self, key: &str) -> Self {
+        let dot = if self.path.is_empty() { "" } else { "." };
+        Self {
+            file: self.file,
+            path: format!("{}{dot}{key}", self.path),
+        }
+    }
+
+    /// The element `index` of the list at this place.
+    pub fn index(&self, index: usize) -> Self {
+        Self {
+            file: self.file,
+            path: format!("{}[{index}]", self.path),
+        }
+    }
+
+    /// An error at this place.
+    pub fn error(&self, what: impl Into<String>, cure: impl Into<String>) -> SceneError {
+        self.wrap(Problem::new(what, cure))
+    }
+
+    /// A problem at this place.
+    pub fn wrap(&self, problem: Problem) -> SceneError {
+        SceneError {
+            field: self.path.clone(),
+            ..problem.in_file(self.file)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_says_where_what_and_the_cure() {
+        let place = Place::root("a.json").key("objects").index(3).key("radius");
+        let error = place.error("is 0", "make it larger");
+        assert_eq!(
+            error.to_string(),
+            "a.json: objects[3].radius: is 0\n  make it larger"
+        );
+        let line = Problem::new("odd", "mend it").in_line("b.obj", 7);
+        assert_eq!(line.to_string(), "b.obj:7: odd\n  mend it");
+    }
+
+    #[test]
+    fn no_escape_sequence_reaches_a_terminal() {
+        let error = Problem::new("\u{1b}[2J", "x").in_file("a\nb");
+        assert!(!error.to_string().contains('\u{1b}'));
+        assert_eq!(error.to_string().lines().count(), 2);
+    }
+}

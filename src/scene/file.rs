@@ -1,0 +1,115 @@
+//! The scene file format `raytree-scene/1`: what stands in the JSON, before names are looked up and shapes placed.
+//!
+//! Kinds are told by a key, as in `{"sphere": {"name": ...}}`: then an error inside has an exact path, such as
+//! `objects[3].sphere.radius`. Every object may carry a `note`, which says what it is there for and changes nothing.
+
+mod light;
+mod material;
+mod object;
+mod parse;
+mod settings;
+mod transform;
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+pub use light::{DirectionalFile, LightFile, PointFile, SpotFile};
+pub use material::{CheckerFile, MaterialFile};
+pub use object::{
+    BoxFile, GroupFile, MeshFile, ObjFile, ObjectFile, PlaneFile, QuadFile, SphereFile,
+    TriangleFile,
+};
+pub use parse::parse;
+pub use settings::SettingsFile;
+pub use transform::{RotateFile, ScaleFile, TransformStep};
+
+use crate::math::Rgb;
+
+/// Three numbers: a point or a vector `[x, y, z]`.
+pub type Vector = [f64; 3];
+
+/// A scene.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SceneFile {
+    /// Which format this is: always `raytree-scene/1`.
+    pub format: Format,
+    /// The name of the scene; without one it is the name of the file.
+    pub name: Option<String>,
+    /// What the scene shows.
+    pub note: Option<String>,
+    /// The eye.
+    pub camera: CameraFile,
+    /// What a ray brings back that hits nothing, linear.
+    #[serde(default)]
+    pub background: Rgb,
+    /// Light that reaches every surface from everywhere, linear.
+    #[serde(default)]
+    pub ambient: Rgb,
+    /// Materials by name.
+    #[serde(default, deserialize_with = "parse::map_without_duplicates")]
+    pub materials: BTreeMap<String, MaterialFile>,
+    /// Lights.
+    #[serde(default)]
+    pub lights: Vec<LightFile>,
+    /// What there is to see.
+    #[serde(default)]
+    pub objects: Vec<ObjectFile>,
+    /// How it is rendered if the user asks for nothing else.
+    #[serde(default)]
+    pub settings: SettingsFile,
+}
+
+/// The versions of the format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum Format {
+    /// The first version.
+    #[serde(rename = "raytree-scene/1")]
+    V1,
+}
+
+/// A pinhole camera.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CameraFile {
+    /// What it is there for.
+    pub note: Option<String>,
+    /// Where the eye is.
+    pub eye: Vector,
+    /// The point in the middle of the picture.
+    pub look_at: Vector,
+    /// The direction that is up in the picture.
+    #[serde(default = "CameraFile::up")]
+    pub up: Vector,
+    /// The angle between the lower and the upper edge of the picture, in degrees.
+    #[serde(default = "CameraFile::vertical_fov")]
+    pub vertical_fov: f64,
+}
+
+impl CameraFile {
+    fn up() -> Vector {
+        [0.0, 1.0, 0.0]
+    }
+
+    fn vertical_fov() -> f64 {
+        45.0
+    }
+
+    /// A camera with the defaults.
+    pub fn new(eye: Vector, look_at: Vector) -> Self {
+        Self {
+            note: None,
+            eye,
+            look_at,
+            up: Self::up(),
+            vertical_fov: Self::vertical_fov(),
+        }
+    }
+}
+
+/// The JSON Schema of scene files, made from the types in this module.
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(SceneFile).to_value()
+}

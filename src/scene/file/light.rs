@@ -1,0 +1,82 @@
+//! Lights in a scene file.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Vector;
+use crate::math::Rgb;
+
+/// A light.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LightFile {
+    /// Shines from one point in all directions.
+    Point(PointFile),
+    /// Shines along one direction everywhere, like the sun.
+    Directional(DirectionalFile),
+    /// Shines from one point into a cone.
+    Spot(SpotFile),
+}
+
+/// A point light.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointFile {
+    /// Its name.
+    pub name: String,
+    /// What it is there for.
+    pub note: Option<String>,
+    /// Where it is.
+    pub position: Vector,
+    /// Its strength, linear.
+    pub intensity: Rgb,
+    /// a, b, c: at distance r it is weakened by 1 / (a + b r + c r^2).
+    #[serde(default = "attenuation")]
+    pub attenuation: [f64; 3],
+}
+
+/// A directional light.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DirectionalFile {
+    /// Its name.
+    pub name: String,
+    /// What it is there for.
+    pub note: Option<String>,
+    /// Where the light goes; any length but 0.
+    pub direction: Vector,
+    /// Its strength, linear.
+    pub intensity: Rgb,
+}
+
+/// A spot light.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpotFile {
+    /// Its name.
+    pub name: String,
+    /// What it is there for.
+    pub note: Option<String>,
+    /// Where it is.
+    pub position: Vector,
+    /// A point on the axis of the cone.
+    pub look_at: Vector,
+    /// Its strength on the axis, linear.
+    pub intensity: Rgb,
+    /// a, b, c: at distance r it is weakened by 1 / (a + b r + c r^2).
+    #[serde(default = "attenuation")]
+    pub attenuation: [f64; 3],
+    /// The angle between the axis and the edge of the cone, in degrees.
+    pub cone_angle: f64,
+    /// The light falls off from the axis as the cosine to this power.
+    #[serde(default = "exponent")]
+    pub exponent: f64,
+}
+
+fn attenuation() -> [f64; 3] {
+    [1.0, 0.0, 0.0]
+}
+
+fn exponent() -> f64 {
+    1.0
+}

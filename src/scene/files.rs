@@ -1,0 +1,218 @@
+//! Where the files of a scene are read from, and which may be read.
+//!
+//! A scene from elsewhere names other files. It may name those in its own folder and below, and nothing else:
+//! relative paths without `..`, regular files, of a bounded size, and symbolic links only if they stay inside.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Component, Path, PathBuf};
+
+use super::builtin;
+use super::error::Problem;
+use super::limits::{MAX_FILE_BYTES, MAX_SCENE_BYTES};
+
+/// The files of one scene.
+#[derive(Debug)]
+pub struct Files {
+    folder: Folder,
+    bytes: u64,
+    hash: u64,
+}
+
+/// Where paths in a scene file start.
+#[derive(Debug)]
+enum Folder {
+    /// Inside the program.
+    Embedded,
+    /// On disk.
+    Disk(PathBuf),
+}
+
+impl Files {
+    /// The files inside the program.
+    pub fn embedded() -> Self {
+        Self::new(Folder::Embedded)
+    }
+
+    /// The files in the folder of the file at `path`.
+    pub fn beside(path: &Path) -> Self {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let folder = if folder.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            folder
+        };
+        Self::new(Folder::Disk(folder.to_path_buf()))
+    }
+
+    fn new(folder: Folder) -> Self {
+        Self {
+            folder,
+            bytes: 0,
+            // The offset basis of FNV-1a.
+            hash: 0xcbf2_9ce4_8422_2325,
+        }
+    }
+
+    /// What a file that a scene file names is called in messages: its path as the user would write it.
+    pub fn label(&self, name: &str) -> String {
+        match &self.folder {
+            Folder::Disk(folder) if folder != Path::new(".") => {
+                folder.join(name).display().to_string()
+            }
+            _ => name.to_string(),
+        }
+    }
+
+    /// The hash of all that was read so far: 16 hexadecimal digits.
+    pub fn hash(&self) -> String {
+        format!("{:016x}", self.hash)
+    }
+
+    /// Takes the bytes of a file into the hash: FNV-1a, 64 bits (Fowler, Noll and Vo 1991).
+    pub fn take(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.hash ^= u64::from(*byte);
+            self.hash = self.hash.wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    /// The text of the file at `path`, which the user chose and which may be anywhere.
+    pub fn open(&mut self, path: &Path) -> Result<String, Problem> {
+        let metadata = fs::metadata(path).map_err(|e| unreadable(&e))?;
+        if metadata.is_dir() {
+            return Err(Problem::new(
+                "this is a folder",
+                "name a file in it that ends in .json or .obj",
+            ));
+        }
+        // Asked before it is opened: a pipe would wait for ever, a device has no end.
+        if !metadata.is_file() {
+            return Err(Problem::new(
+                "this is not a regular file",
+                "save the scene to a file first",
+            ));
+        }
+        let file = fs::File::open(path).map_err(|e| unreadable(&e))?;
+        let mut bytes = Vec::new();
+        file.take(MAX_FILE_BYTES + 1)
+            .read_to_end(&mut bytes)
+            .map_err(|e| unreadable(&e))?;
+        self.bytes += bytes.len() as u64;
+        let (limit, of) = if bytes.len() as u64 > MAX_FILE_BYTES {
+            (MAX_FILE_BYTES, "a file")
+        } else {
+            (MAX_SCENE_BYTES, "all files of a scene together")
+        };
+        if bytes.len() as u64 > MAX_FILE_BYTES || self.bytes > MAX_SCENE_BYTES {
+            return Err(Problem::new(
+                format!("{of} may have {} MiB at most", limit >> 20),
+                "use a model with fewer triangles",
+            ));
+        }
+        self.take(&bytes);
+        text(bytes)
+    }
+
+    /// The text of a file that a scene file names. `None` if there is no such file.
+    pub fn read(&mut self, name: &str) -> Result<Option<String>, Problem> {
+        check_name(name)?;
+        let folder = match &self.folder {
+            Folder::Embedded => {
+                let Some(text) = builtin::file(name) else {
+                    return Ok(None);
+                };
+                self.take(text.as_bytes());
+                return Ok(Some(text.to_string()));
+            }
+            Folder::Disk(folder) => folder,
+        };
+        // Both without symbolic links, so that none leads out.
+        let root = folder.canonicalize().map_err(|e| unreadable(&e))?;
+        let path = match root.join(name).canonicalize() {
+            Ok(path) => path,
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(unreadable(&e)),
+        };
+        if !path.starts_with(&root) {
+            return Err(Problem::new(
+                format!("`{name}` is a link to a place outside the scene's folder"),
+                "copy the file into the folder of the scene",
+            ));
+        }
+        self.open(&path).map(Some)
+    }
+}
+
+/// Refuses a path that leads out of the scene's folder, or means different things on different systems.
+fn check_name(name: &str) -> Result<(), Problem> {
+    let cure = "copy the file into the folder of the scene and write its path from there, like `models/cup.obj`";
+    let refused = |why: &str| Err(Problem::new(format!("the path `{name}` {why}"), cure));
+    let outside = |c: Component| !matches!(c, Component::Normal(_) | Component::CurDir);
+    if name.is_empty() {
+        refused("is empty")
+    } else if name.contains(['\\', '\0']) {
+        refused("has a character that is not portable (use `/` between folders)")
+    } else if Path::new(name).components().any(outside) {
+        refused("leads out of the scene's folder")
+    } else {
+        Ok(())
+    }
+}
+
+/// Bytes as text; a byte order mark at the start is left out.
+fn text(bytes: Vec<u8>) -> Result<String, Problem> {
+    let text = String::from_utf8(bytes).map_err(|e| {
+        let good = e.utf8_error().valid_up_to();
+        let line = 1 + e.as_bytes()[..good].iter().filter(|b| **b == b'\n').count();
+        Problem::new(
+            format!("this is not UTF-8 text (line {line}, byte {good})"),
+            "save it with the encoding UTF-8 in your editor, or check that it is the right file",
+        )
+    })?;
+    Ok(match text.strip_prefix('\u{feff}') {
+        Some(rest) => rest.to_string(),
+        None => text,
+    })
+}
+
+/// What the system says about a file.
+fn unreadable(error: &std::io::Error) -> Problem {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => Problem::new(
+            "there is no such file",
+            "check the spelling, and the folder that you are in",
+        ),
+        std::io::ErrorKind::PermissionDenied => {
+            Problem::new("reading is not permitted", "check who may read the file")
+        }
+        _ => Problem::new(
+            format!("it cannot be read: {error}"),
+            "check the file and the disk it is on",
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_stay_inside() {
+        for bad in ["", "/etc/passwd", "../a.mtl", "a/../../b", "a\\b", "a\0b", ".."] {
+            assert!(check_name(bad).is_err(), "{bad:?}");
+        }
+        for good in ["a.mtl", "models/a b.mtl", "./a.mtl", "..a"] {
+            assert_eq!(check_name(good), Ok(()), "{good:?}");
+        }
+    }
+
+    #[test]
+    fn the_hash_is_fnv_1a() {
+        // Published test vectors of FNV-1a 64.
+        let mut files = Files::embedded();
+        assert_eq!(files.hash(), "cbf29ce484222325");
+        files.take(b"foobar");
+        assert_eq!(files.hash(), "85944171f73967e8");
+    }
+}

@@ -1,0 +1,92 @@
+//! Shapes in the world: what can be is carried there, the rest keeps its own space.
+
+use crate::geometry::{Aabb, Cuboid, Placed, Plane, Shape, Sphere};
+use crate::math::{DVec3, Transform};
+
+/// A sphere in the world. Scaled evenly it stays a sphere; stretched, or turned where its surface coordinates can
+/// be seen, it is tested in its own space.
+pub fn sphere(sphere: Sphere, map: Option<&Transform>, turn_shows: bool) -> Shape {
+    let Some(map) = map else {
+        return Shape::Sphere(sphere);
+    };
+    match map.uniform_scale() {
+        Some(scale) if !turn_shows || !turns(map) => Shape::Sphere(Sphere {
+            center: map.point(sphere.center),
+            radius: sphere.radius * scale,
+        }),
+        _ => placed(Shape::Sphere(sphere), map),
+    }
+}
+
+/// A box in the world. If every axis goes to an axis it stays a box along the axes.
+pub fn cuboid(bounds: Aabb, map: Option<&Transform>) -> Shape {
+    let Some(map) = map else {
+        return Shape::Cuboid(Cuboid { bounds });
+    };
+    let to_axis = |v: DVec3| v.to_array().iter().filter(|c| **c != 0.0).count() == 1;
+    if DVec3::AXES.iter().all(|&axis| to_axis(map.vector(axis))) {
+        let corners = [map.point(bounds.min), map.point(bounds.max)];
+        let bounds = Aabb::around(corners);
+        return Shape::Cuboid(Cuboid { bounds });
+    }
+    placed(Shape::Cuboid(Cuboid { bounds }), map)
+}
+
+/// A plane in the world.
+pub fn plane(point: DVec3, normal: DVec3, map: Option<&Transform>) -> Shape {
+    Shape::Plane(match map {
+        None => Plane::new(point, normal),
+        Some(map) => Plane::new(map.point(point), map.normal(normal)),
+    })
+}
+
+fn placed(shape: Shape, transform: &Transform) -> Shape {
+    Shape::Placed(Box::new(Placed {
+        shape,
+        transform: *transform,
+    }))
+}
+
+/// True unless every axis keeps its direction.
+fn turns(map: &Transform) -> bool {
+    DVec3::AXES
+        .iter()
+        .any(|&axis| map.vector(axis) != axis * map.vector(axis).dot(axis).abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DAffine3;
+
+    use super::*;
+
+    fn map(m: DAffine3) -> Transform {
+        Transform::new(m).expect("can be undone")
+    }
+
+    #[test]
+    fn spheres_and_boxes_are_carried_where_they_keep_their_kind() {
+        let unit = Sphere {
+            center: DVec3::X,
+            radius: 1.0,
+        };
+        let grown = map(DAffine3::from_scale(DVec3::splat(2.0)));
+        let Shape::Sphere(s) = sphere(unit, Some(&grown), true) else {
+            panic!("evenly scaled")
+        };
+        assert_eq!((s.center, s.radius), (DVec3::X * 2.0, 2.0));
+        let stretched = map(DAffine3::from_scale(DVec3::new(1.0, 2.0, 1.0)));
+        assert!(matches!(sphere(unit, Some(&stretched), false), Shape::Placed(_)));
+        let turned = map(DAffine3::from_rotation_y(1.0));
+        assert!(matches!(sphere(unit, Some(&turned), false), Shape::Sphere(_)));
+        assert!(matches!(sphere(unit, Some(&turned), true), Shape::Placed(_)));
+
+        let bounds = Aabb::around([DVec3::ZERO, DVec3::ONE]);
+        assert!(matches!(cuboid(bounds, Some(&turned)), Shape::Placed(_)));
+        let flipped = map(DAffine3::from_scale(DVec3::new(-2.0, 1.0, 1.0)));
+        let Shape::Cuboid(c) = cuboid(bounds, Some(&flipped)) else {
+            panic!("along the axes")
+        };
+        assert_eq!((c.bounds.min, c.bounds.max), (DVec3::new(-2.0, 0.0, 0.0), DVec3::new(0.0, 1.0, 1.0)));
+    }
+}

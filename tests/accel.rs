@@ -1,0 +1,475 @@
+//! Every accelerator answers as the list does: same primitive, same bits of t and of the weights.
+
+use glam::{DAffine3, DQuat};
+use proptest::prelude::*;
+use raytree::accel::{Accel, AccelKind, AccelStats};
+use raytree::geometry::{Aabb, Cuboid, Hit, Placed, Plane, Shape, Sphere, Triangle};
+use raytree::math::{DVec3, Interval, Ray, Transform};
+use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
+
+const TREES: [AccelKind; 3] = [AccelKind::Bsp, AccelKind::BspAxis, AccelKind::BspPolygon];
+
+fn triangle(corners: [DVec3; 3]) -> Shape {
+    Shape::Triangle(Triangle { corners })
+}
+
+/// A hit with its numbers as bits, so that equal means identical.
+fn bits(hit: Option<Hit>) -> Option<(u32, u64, [u64; 3])> {
+    hit.map(|h| (h.primitive, h.t.to_bits(), h.barycentric.map(f64::to_bits)))
+}
+
+/// Asks all accelerators the same. The error says which one differs, and for which ray.
+fn agree(shapes: &[Shape], rays: &[(Ray, Interval)]) -> Result<(), String> {
+    let list = Accel::build(AccelKind::List, shapes);
+    for kind in TREES {
+        let tree = Accel::build(kind, shapes);
+        for (ray, interval) in rays {
+            let closest = |a: &Accel| bits(a.closest(shapes, ray, *interval, &mut Silent));
+            let (expected, found) = (closest(&list), closest(&tree));
+            if expected != found {
+                return Err(format!(
+                    "{kind:?}: {ray:?} {interval:?}: {found:?}, the list {expected:?}"
+                ));
+            }
+            let any = tree.any(shapes, ray, *interval, &mut Silent);
+            if any.is_some() != expected.is_some() {
+                return Err(format!("{kind:?}: any for {ray:?} {interval:?}: {any:?}"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Random numbers that are the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// In [-1, 1).
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        (self.bits() % n as u64) as usize
+    }
+
+    fn point(&mut self) -> DVec3 {
+        DVec3::new(self.unit(), self.unit(), self.unit())
+    }
+
+    /// A point on a coarse grid, so that coordinates, edges and planes coincide.
+    fn grid_point(&mut self) -> DVec3 {
+        (self.point() * 3.0).round() / 2.0
+    }
+
+    fn direction(&mut self) -> DVec3 {
+        self.point().normalize_or(DVec3::X)
+    }
+}
+
+/// The kinds of scene that the property ranges over.
+#[derive(Clone, Copy, Debug)]
+enum Style {
+    Soup,
+    Grid,
+    Slivers,
+    Strip,
+    Stack,
+    Duplicates,
+    Mixed,
+}
+
+const STYLES: [Style; 7] = [
+    Style::Soup,
+    Style::Grid,
+    Style::Slivers,
+    Style::Strip,
+    Style::Stack,
+    Style::Duplicates,
+    Style::Mixed,
+];
+
+/// Where a scene's points go in the world.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    scale: f64,
+    offset: DVec3,
+}
+
+impl Frame {
+    fn place(&self, p: DVec3) -> DVec3 {
+        self.offset + self.scale * p
+    }
+
+    fn triangle(&self, corners: [DVec3; 3]) -> Shape {
+        triangle(corners.map(|p| self.place(p)))
+    }
+}
+
+fn scene(style: Style, count: usize, frame: Frame, random: &mut Random) -> Vec<Shape> {
+    let mut strip = [random.point(), random.point()];
+    let normal = random.direction();
+    (0..count)
+        .map(|i| match style {
+            Style::Soup => frame.triangle([random.point(), random.point(), random.point()]),
+            Style::Grid => frame.triangle([
+                random.grid_point(),
+                random.grid_point(),
+                random.grid_point(),
+            ]),
+            Style::Slivers => {
+                let (a, along) = (random.point(), random.point());
+                let thin = random.point() * [1e-3, 1e-9, 1e-15, 0.0][random.below(4)];
+                frame.triangle([a, a + along, a + 0.5 * along + thin])
+            }
+            Style::Strip => {
+                let [a, b] = strip;
+                let c = (0.5 * (a + b) + 0.3 * random.point()).clamp(-DVec3::ONE, DVec3::ONE);
+                strip = [b, c];
+                frame.triangle([a, b, c])
+            }
+            Style::Stack => {
+                // A few parallel planes, turned anyhow, with many triangles on each.
+                let (u, v) = normal.any_orthonormal_pair();
+                let height = random.below(3) as f64 * 0.25;
+                let mut on = || height * normal + random.unit() * u + random.unit() * v;
+                frame.triangle([on(), on(), on()])
+            }
+            Style::Duplicates => {
+                let turn = i % 3;
+                let corners = [DVec3::X, DVec3::Y, DVec3::new(0.1, 0.2, (i / 3 % 2) as f64)];
+                frame.triangle([0, 1, 2].map(|k| corners[(k + turn) % 3]))
+            }
+            Style::Mixed => mixed(i, frame, random),
+        })
+        .collect()
+}
+
+/// A sphere, a box, either of them turned and stretched, a plane or a triangle.
+fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
+    let center = frame.place(random.grid_point());
+    let size = frame.scale * (0.05 + 0.4 * random.unit().abs());
+    let stretch = DVec3::new(1.0, 1.0 + random.unit().abs() * 4.0, 0.5);
+    let local = if random.below(2) == 0 {
+        Shape::Sphere(Sphere {
+            center: DVec3::ZERO,
+            radius: 1.0,
+        })
+    } else {
+        Shape::Cuboid(Cuboid {
+            bounds: Aabb::around([-DVec3::ONE, DVec3::ONE]),
+        })
+    };
+    match i % 5 {
+        0 => Shape::Sphere(Sphere {
+            center,
+            radius: size,
+        }),
+        1 => Shape::Cuboid(Cuboid {
+            bounds: Aabb::around([center, center + size * stretch]),
+        }),
+        2 => {
+            let turn = DQuat::from_axis_angle(random.direction(), 3.0 * random.unit());
+            let to_world = DAffine3::from_scale_rotation_translation(size * stretch, turn, center);
+            let transform = Transform::new(to_world).expect("it can be undone");
+            Shape::Placed(Box::new(Placed {
+                shape: local,
+                transform,
+            }))
+        }
+        3 if i == 3 => Shape::Plane(Plane::new(center, random.direction())),
+        _ => frame.triangle([random.point(), random.point(), random.grid_point()]),
+    }
+}
+
+/// A ray that is likely to meet a special case of the scene: its corners, edges, surfaces and planes.
+fn ray(shapes: &[Shape], frame: Frame, random: &mut Random) -> (Ray, Interval) {
+    let on = |random: &mut Random| {
+        let shape = &shapes[random.below(shapes.len())];
+        let Shape::Triangle(Triangle { corners: [a, b, c] }) = *shape else {
+            return frame.place(random.grid_point());
+        };
+        let (u, v) = (random.unit().abs(), random.unit().abs());
+        match random.below(4) {
+            0 => a,
+            1 => a + u * (b - a),
+            2 => a + 0.5 * (b - a),
+            _ => a + u * (b - a) + v * (1.0 - u) * (c - a),
+        }
+    };
+    let origin = match random.below(4) {
+        0 => frame.place(3.0 * random.point()),
+        1 => on(random),
+        2 => frame.place(random.grid_point()),
+        _ => frame.place(random.point()),
+    };
+    let axis = DVec3::AXES[random.below(3)];
+    let direction = match random.below(6) {
+        0 => random.direction(),
+        1 => axis,
+        2 => -axis,
+        // Nearly along an axis.
+        3 => (axis + 1e-16 * random.point()).normalize(),
+        _ => (on(random) - origin).normalize_or(axis),
+    };
+    let interval = match random.below(4) {
+        0 => Interval::before(frame.scale * random.unit().abs()),
+        1 => Interval::new(0.3 * frame.scale, 1.5 * frame.scale),
+        _ => Interval::FORWARD,
+    };
+    (Ray::new(origin, direction), interval)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn trees_answer_as_the_list_does(
+        seed: u64,
+        style in prop::sample::select(&STYLES[..]),
+        count in 1usize..120,
+        scale in prop::sample::select(&[1e-6, 1.0, 1e6][..]),
+        offset in prop::sample::select(&[0.0, 0.0, 1.0, 1e3, 1e9][..]),
+    ) {
+        let mut random = Random(seed);
+        let frame = Frame { scale, offset: offset * random.point() };
+        let shapes = scene(style, count, frame, &mut random);
+        let rays: Vec<_> = (0..60).map(|_| ray(&shapes, frame, &mut random)).collect();
+        prop_assert_eq!(agree(&shapes, &rays), Ok(()));
+    }
+
+    #[test]
+    fn garbage_neither_panics_nor_differs(seed: u64, count in 1usize..60) {
+        // Random bits, made finite: any exponent, both signs, and sometimes a plain number.
+        let mut random = Random(seed);
+        let number = |random: &mut Random| match random.below(3) {
+            0 => random.unit(),
+            _ => Some(f64::from_bits(random.bits())).filter(|x| x.is_finite()).unwrap_or(0.0),
+        };
+        let point = |random: &mut Random| DVec3::from_array([(); 3].map(|()| number(random)));
+        let shapes: Vec<Shape> = (0..count)
+            .map(|_| triangle([(); 3].map(|()| point(&mut random))))
+            .collect();
+        let rays: Vec<_> = (0..30)
+            .map(|_| (Ray::new(point(&mut random), random.direction()), Interval::FORWARD))
+            .collect();
+        prop_assert_eq!(agree(&shapes, &rays), Ok(()));
+    }
+}
+
+/// A sphere of triangles: rings of a uv grid, pushed outwards by `bump`.
+fn globe(rings: usize, bump: impl Fn(f64, f64) -> f64) -> Vec<Shape> {
+    let at = |i: usize, j: usize| {
+        let (theta, phi) = (
+            std::f64::consts::PI * i as f64 / rings as f64,
+            std::f64::consts::PI * (j % (2 * rings)) as f64 / rings as f64,
+        );
+        let (sin, cos) = theta.sin_cos();
+        bump(theta, phi) * DVec3::new(sin * phi.cos(), cos, sin * phi.sin())
+    };
+    (0..rings)
+        .flat_map(|i| (0..2 * rings).map(move |j| (i, j)))
+        .flat_map(|(i, j)| {
+            let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            [triangle([a, b, c]), triangle([a, c, d])]
+        })
+        .collect()
+}
+
+/// The law for trees over `count` primitives, however bad.
+fn within_bounds(stats: AccelStats, count: usize) {
+    assert!(stats.depth <= 62, "{stats:?}");
+    assert!(stats.references <= 8 * count, "{stats:?}");
+    assert!(stats.nodes <= 20 * count + 1, "{stats:?}");
+    assert!(stats.bytes <= 600 * count + 64, "{stats:?}");
+}
+
+#[test]
+fn degenerate_scenes_end_in_bounded_size() {
+    let n = 100_000;
+    let mut random = Random(1);
+    let mut flat = |normal: DVec3| -> Vec<Shape> {
+        let (u, v) = normal.any_orthonormal_pair();
+        let mut point = || random.unit() * u + random.unit() * v;
+        let mut near = |p: DVec3| p + 0.01 * point();
+        (0..n)
+            .map(|_| {
+                let center = 100.0 * near(DVec3::ZERO);
+                triangle([near(center), near(center), near(center)])
+            })
+            .collect()
+    };
+    let slanted = flat(DVec3::new(1.0, 2.0, 3.0).normalize());
+    let floor = flat(DVec3::Y);
+    let one = triangle([DVec3::X, DVec3::Y, DVec3::Z]);
+    let point = triangle([DVec3::ONE; 3]);
+    let hull = globe(158, |_, _| 1.0);
+    let scenes = [
+        ("slanted", slanted),
+        ("floor", floor),
+        ("copies", vec![one; n]),
+        ("points", vec![point; n]),
+        ("hull", hull),
+    ];
+    for (name, shapes) in &scenes {
+        for kind in TREES {
+            let tree = Accel::build(kind, shapes);
+            let stats = tree.stats();
+            within_bounds(stats, shapes.len());
+            assert!(stats.references >= shapes.len(), "{name}, {kind:?}");
+        }
+    }
+    // All coplanar: one plane and everything on it, or, as a small triangle tells its plane less exactly, a few.
+    let size = |scene: usize| Accel::build(AccelKind::BspPolygon, &scenes[scene].1).stats();
+    let floor = size(1);
+    assert_eq!((floor.depth, floor.nodes, floor.references), (1, 3, n));
+    assert!(size(0).nodes < 1000);
+}
+
+#[test]
+fn a_convex_hull_does_not_make_a_list_of_the_tree() {
+    // Every polygon's plane has all others behind it: without planes along the axes the depth would be n.
+    let shapes = globe(32, |_, _| 1.0);
+    for kind in TREES {
+        let tree = Accel::build(kind, &shapes);
+        let mut work = Steps::default();
+        for i in 0..100 {
+            let from = DVec3::new(0.01 * f64::from(i) - 0.5, 0.3, 3.0);
+            let ray = Ray::new(from, DVec3::NEG_Z);
+            tree.closest(&shapes, &ray, Interval::FORWARD, &mut work);
+        }
+        assert!(work.tests < 100 * 60, "{kind:?}: {}", work.tests);
+    }
+}
+
+/// Listens to the steps and checks that they tell a coherent story.
+#[derive(Default)]
+struct Steps {
+    tests: usize,
+    visits: Vec<(u32, Choice)>,
+    hits: Vec<u32>,
+}
+
+impl Probe for Steps {
+    const TRAVERSAL: bool = true;
+
+    fn event(&mut self, event: Event) {
+        match event {
+            Event::Test {
+                primitive, verdict, ..
+            } => {
+                self.tests += 1;
+                if verdict == Verdict::Hit {
+                    self.hits.push(primitive);
+                }
+            }
+            Event::Visit(visit) => self.visits.push((visit.node, visit.choice)),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn the_steps_of_a_ray_through_three_walls_are_those_drawn_on_paper() {
+    let wall = |x: f64| {
+        let p = |y, z| DVec3::new(x, y, z);
+        triangle([p(-9.0, -9.0), p(9.0, -9.0), p(0.0, 9.0)])
+    };
+    let shapes = [wall(1.0), wall(2.0), wall(3.0)];
+    let tree = Accel::build(AccelKind::BspPolygon, &shapes);
+    // The middle wall's plane is the root, with a leaf on either side of it.
+    let root = tree.node(0).expect("there is a root");
+    assert_eq!(root.primitives, [1]);
+    let (normal, d) = root.plane.expect("it is split");
+    assert_eq!((normal.abs(), d.abs(), root.axis), (DVec3::X, 2.0, None));
+    let children = root.children.expect("it has two");
+    let leaf_of = |primitive: u32| {
+        let holds = |id: &u32| tree.node(*id).is_some_and(|n| n.primitives == [primitive]);
+        children.into_iter().find(holds).expect("a leaf")
+    };
+    assert_eq!(tree.node(3), None);
+
+    let walk = |origin: DVec3, direction: DVec3| {
+        let mut steps = Steps::default();
+        let ray = Ray::new(origin, direction);
+        let hit = tree.closest(&shapes, &ray, Interval::FORWARD, &mut steps);
+        (hit.map(|h| h.primitive), steps)
+    };
+    // From the left the near wall is hit, and what is behind it is skipped.
+    let (hit, steps) = walk(DVec3::ZERO, DVec3::X);
+    assert_eq!(hit, Some(0));
+    assert_eq!((steps.tests, &steps.hits[..]), (1, &[0][..]));
+    let expected = [
+        (0, Choice::Both),
+        (leaf_of(0), Choice::Leaf),
+        (leaf_of(2), Choice::SkippedCloserHit),
+    ];
+    assert_eq!(steps.visits, expected);
+    // From between the first two to the left: away from the middle plane.
+    let (hit, steps) = walk(DVec3::X * 1.5, DVec3::NEG_X);
+    assert_eq!(hit, Some(0));
+    assert_eq!(steps.visits[0], (0, Choice::NearRunsAway));
+    // From between the first two to the right: nothing near, then the wall on the plane.
+    let (hit, steps) = walk(DVec3::X * 1.5, DVec3::X);
+    assert_eq!((hit, &steps.hits[..]), (Some(1), &[1][..]));
+    // Beside everything.
+    let (hit, steps) = walk(DVec3::Y * 20.0, DVec3::X);
+    assert_eq!(hit, None);
+    assert_eq!(steps.visits, [(0, Choice::SkippedOutside)]);
+}
+
+#[test]
+fn two_polygons_that_sent_another_library_into_endless_recursion() {
+    // evanw/csg.js, issue 11: a triangle and a quad, here as two triangles.
+    let p = DVec3::new;
+    let quad = [
+        p(1.26216, 0.46369, -0.43822),
+        p(1.36719, 0.29688, -0.5),
+        p(1.35204, 0.32133, -0.34461),
+        p(1.25679, 0.47373, -0.34461),
+    ];
+    let shapes = [
+        triangle([
+            p(1.23079, 0.35525, -0.39928),
+            p(1.26563, 0.28906, -0.40625),
+            p(1.24346, 0.44424, -0.41733),
+        ]),
+        triangle([quad[0], quad[1], quad[2]]),
+        triangle([quad[0], quad[2], quad[3]]),
+    ];
+    for kind in TREES {
+        within_bounds(Accel::build(kind, &shapes).stats(), shapes.len());
+    }
+    let mut random = Random(11);
+    let frame = Frame {
+        scale: 0.1,
+        offset: p(1.3, 0.4, -0.4),
+    };
+    let rays: Vec<_> = (0..2000)
+        .map(|_| ray(&shapes, frame, &mut random))
+        .collect();
+    assert_eq!(agree(&shapes, &rays), Ok(()));
+}
+
+#[test]
+fn nothing_to_build_on_is_no_trouble() {
+    let ray = Ray::new(DVec3::Y, DVec3::NEG_Y);
+    for kind in TREES {
+        let empty = Accel::build(kind, &[]);
+        assert_eq!(
+            empty.closest(&[], &ray, Interval::FORWARD, &mut Silent),
+            None
+        );
+        assert_eq!((empty.node(0), empty.stats().nodes), (None, 0));
+    }
+    // An endless plane has no place in the tree.
+    let floor = [Shape::Plane(Plane::new(DVec3::ZERO, DVec3::Y))];
+    assert_eq!(agree(&floor, &[(ray, Interval::FORWARD)]), Ok(()));
+}
