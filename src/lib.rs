@@ -19,3 +19,5 @@ pub mod scene;
 pub mod cli;
 pub mod trace;
 pub mod tracer;
+
+pub mod tui;

@@ -10,6 +10,7 @@ pub mod diagram;
 pub mod explain;
 pub mod json;
 pub mod ledger;
+pub mod pick;
 pub mod recorder;
 pub mod text;
 pub mod tree;
@@ -18,6 +19,7 @@ pub use arrival::{Arrival, Lighting};
 pub use counts::Counts;
 pub use cursor::Cursor;
 pub use explain::{Explanation, explain};
+pub use pick::{Seen, seen};
 pub use recorder::Recorder;
 pub use tree::{Node, Outcome, RayTree};
 

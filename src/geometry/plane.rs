@@ -24,6 +24,11 @@ impl Plane {
         }
     }
 
+    /// The point that it was given by.
+    pub fn origin(&self) -> DVec3 {
+        self.point
+    }
+
     /// The unit normal.
     pub fn normal(&self) -> DVec3 {
         self.frame.w

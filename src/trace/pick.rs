@@ -1,0 +1,30 @@
+//! What a pixel looks at, without following any light: one ray and its first hit.
+
+use crate::probe::Silent;
+use crate::scene::{Settings, World};
+
+/// What stands behind the middle of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen<'a> {
+    /// The object's name.
+    pub object: &'a str,
+    /// What kind of shape was hit.
+    pub shape: &'static str,
+    /// The name of its material.
+    pub material: &'a str,
+    /// How far away it is, in metres.
+    pub t: f64,
+}
+
+/// The first thing that a ray from the eye through the middle of pixel (x, y) meets; `None` if it meets nothing.
+pub fn seen<'a>(world: &'a World, settings: &Settings, (x, y): (u32, u32)) -> Option<Seen<'a>> {
+    let middle = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+    let ray = world.scene.camera.ray(middle, settings.size());
+    let hit = world.closest(&ray, &mut Silent)?;
+    Some(Seen {
+        object: &world.scene.object_of(hit.primitive).name,
+        shape: world.scene.shapes[hit.primitive as usize].kind(),
+        material: &world.scene.material_of(hit.primitive).name,
+        t: hit.t,
+    })
+}

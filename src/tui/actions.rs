@@ -1,0 +1,283 @@
+//! Every key in one table: dispatch, the help and the hint line are made from it.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+use crate::probe::RayKind;
+
+/// What a user can ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// Leave at once.
+    Quit,
+    /// Close what lies on top; at the bottom, leave.
+    Back,
+    /// Show or hide the help.
+    Help,
+    /// Stop the program as a shell's Ctrl-Z does; `fg` lets it go on.
+    Suspend,
+    /// Catch the mouse, or leave it to the terminal.
+    Mouse,
+    /// Move the pixel cursor right and down by so many pixels.
+    Move(i32, i32),
+    /// Trace the pixel under the cursor and open its ray tree.
+    Open,
+    /// One event on.
+    Step,
+    /// One event back.
+    StepBack,
+    /// Over what begins here.
+    Over,
+    /// Out of the current ray.
+    Out,
+    /// To the next ray of a kind.
+    NextRay(RayKind),
+    /// To the ray of a kind before here.
+    PreviousRay(RayKind),
+    /// To the first event.
+    Start,
+    /// To the last event.
+    End,
+    /// Ask for the number of an event.
+    GoTo,
+    /// Down (up, if negative) by so many rows of the focused pane.
+    Rows(i32),
+    /// Down (up, if negative) by pages of the focused pane.
+    Pages(i32),
+    /// Show what hangs on the current ray.
+    Unfold,
+    /// Hide what hangs on the current ray; if that is hidden, go to the ray that sent it.
+    Fold,
+    /// Show it if hidden, else hide it.
+    Toggle,
+    /// Give the keys to the next pane.
+    NextPane,
+    /// Give the keys to the pane before.
+    PreviousPane,
+    /// The focused pane alone on the screen, and back.
+    Zoom,
+    /// Look at the scene from the next side.
+    View,
+    /// Take the number that was typed.
+    Accept,
+    /// Delete the last digit.
+    Erase,
+}
+
+/// When a key means what the table says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Context {
+    /// While a pixel is being chosen.
+    Picture,
+    /// While a ray tree is open.
+    Tree,
+    /// While a number is typed.
+    Prompt,
+    /// Unless something above says otherwise.
+    Always,
+}
+
+/// A key as the table names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Key {
+    code: KeyCode,
+    shift: bool,
+    control: bool,
+}
+
+/// A line of the table.
+pub struct Binding {
+    /// The keys, and what each asks for.
+    pub keys: &'static [(Key, Action)],
+    /// What they do, in a word or two.
+    pub name: &'static str,
+    /// What they do, in a sentence.
+    pub doc: &'static str,
+    /// When they do it.
+    pub context: Context,
+    /// True if the hint line shows it.
+    pub hint: bool,
+}
+
+const fn key(code: KeyCode) -> Key {
+    Key {
+        code,
+        shift: false,
+        control: false,
+    }
+}
+
+const fn ch(letter: char) -> Key {
+    key(KeyCode::Char(letter))
+}
+
+const fn shift(code: KeyCode) -> Key {
+    Key {
+        code,
+        shift: true,
+        control: false,
+    }
+}
+
+const fn row(
+    context: Context,
+    hint: bool,
+    keys: &'static [(Key, Action)],
+    name: &'static str,
+    doc: &'static str,
+) -> Binding {
+    Binding {
+        keys,
+        name,
+        doc,
+        context,
+        hint,
+    }
+}
+
+const fn control(letter: char) -> Key {
+    Key {
+        code: KeyCode::Char(letter),
+        shift: false,
+        control: true,
+    }
+}
+
+/// The table.
+#[rustfmt::skip]
+pub const ACTIONS: &[Binding] = {
+    use Action as A;
+    use Context::{Always, Picture, Prompt, Tree};
+    use KeyCode::{BackTab, Backspace, Down, End, Enter, Esc, Home, Left, PageDown, PageUp, Right, Tab, Up};
+    use RayKind::{Incident, Light, Reflected, Transmitted};
+    &[
+        row(Picture, true, &[(key(Left), A::Move(-1, 0)), (key(Down), A::Move(0, 1)), (key(Up), A::Move(0, -1)), (key(Right), A::Move(1, 0)),
+            (ch('h'), A::Move(-1, 0)), (ch('j'), A::Move(0, 1)), (ch('k'), A::Move(0, -1)), (ch('l'), A::Move(1, 0))],
+            "move", "Move to another pixel (or click it)."),
+        row(Picture, false, &[(shift(Left), A::Move(-8, 0)), (shift(Down), A::Move(0, 8)), (shift(Up), A::Move(0, -8)), (shift(Right), A::Move(8, 0)),
+            (ch('H'), A::Move(-8, 0)), (ch('J'), A::Move(0, 8)), (ch('K'), A::Move(0, -8)), (ch('L'), A::Move(8, 0))],
+            "leap", "Move by 8 pixels."),
+        row(Picture, true, &[(key(Enter), A::Open), (ch(' '), A::Open)], "open its ray tree", "Trace the pixel again and open its ray tree."),
+
+        row(Tree, true, &[(ch('n'), A::Step)], "next", "One event on."),
+        row(Tree, true, &[(ch('p'), A::StepBack)], "previous", "One event back: the exact inverse."),
+        row(Tree, true, &[(ch('o'), A::Over)], "over", "Over what begins here: a ray with all that it sends, or a search for the hit."),
+        row(Tree, true, &[(ch('u'), A::Out)], "out", "Out of the ray, to what it brings back."),
+        row(Tree, true, &[(ch('r'), A::NextRay(Reflected)), (ch('R'), A::PreviousRay(Reflected))], "R ray", "The next (previous) reflected ray."),
+        row(Tree, true, &[(ch('t'), A::NextRay(Transmitted)), (ch('T'), A::PreviousRay(Transmitted))], "T ray", "The next (previous) transmitted ray."),
+        row(Tree, true, &[(ch('l'), A::NextRay(Light)), (ch('L'), A::PreviousRay(Light))], "L ray", "The next (previous) ray to a light."),
+        row(Tree, false, &[(ch('i'), A::NextRay(Incident)), (ch('I'), A::PreviousRay(Incident))], "I ray", "The next (previous) ray from the eye, if the pixel has several."),
+        row(Tree, false, &[(ch('g'), A::Start), (ch('G'), A::End), (key(Home), A::Start), (key(End), A::End)], "start, end", "To the first event, to the last."),
+        row(Tree, false, &[(ch(':'), A::GoTo)], "go to", "To the event whose number you type."),
+        row(Tree, true, &[(key(Tab), A::NextPane), (key(BackTab), A::PreviousPane)], "pane", "Give the arrow keys to the next (previous) pane."),
+        row(Tree, true, &[(ch('z'), A::Zoom)], "zoom", "The focused pane on the whole screen, and back."),
+        row(Tree, false, &[(key(Down), A::Rows(1)), (key(Up), A::Rows(-1)), (ch('j'), A::Rows(1)), (ch('k'), A::Rows(-1))],
+            "rows", "In the tree and the steps: to the next (previous) row. In the details: scroll. In the scene: to the next (previous) ray."),
+        row(Tree, false, &[(key(PageDown), A::Pages(1)), (key(PageUp), A::Pages(-1))], "pages", "The same by a page."),
+        row(Tree, false, &[(ch(' '), A::Toggle), (key(Right), A::Unfold), (key(Left), A::Fold)],
+            "fold", "Show or hide the rays below this one; Left on a closed one goes to its parent."),
+        row(Tree, false, &[(ch('v'), A::View)], "view", "Look at the scene from the top, the front, the side."),
+        row(Tree, false, &[(key(Enter), A::Over)], "over", "As o."),
+
+        row(Prompt, true, &[(key(Enter), A::Accept)], "go", "Go to the event with this number."),
+        row(Prompt, true, &[(key(Backspace), A::Erase)], "erase", "Delete the last digit."),
+
+        row(Always, false, &[(ch('m'), A::Mouse)], "mouse", "Leave the mouse to the terminal, to select text, or take it again."),
+        row(Always, true, &[(ch('?'), A::Help)], "help", "This list."),
+        row(Always, true, &[(ch('q'), A::Back), (key(Esc), A::Back)], "back", "One level back; from the picture, quit."),
+        row(Always, false, &[(control('c'), A::Quit)], "quit", "Quit at once."),
+        #[cfg(unix)]
+        row(Always, false, &[(control('z'), A::Suspend)], "suspend", "Back to the shell for a while; fg comes back."),
+    ]
+};
+
+/// What a key asks for in a context.
+pub fn lookup(context: Context, event: KeyEvent) -> Option<Action> {
+    let of = |context| ACTIONS.iter().filter(move |b| b.context == context);
+    of(context)
+        .chain(of(Context::Always))
+        .flat_map(|b| b.keys)
+        .find_map(|(key, action)| key.matches(event).then_some(*action))
+}
+
+impl Key {
+    /// Letters carry their shift in themselves.
+    fn matches(self, event: KeyEvent) -> bool {
+        let letter = matches!(self.code, KeyCode::Char(_) | KeyCode::BackTab);
+        self.code == event.code
+            && self.control == event.modifiers.contains(KeyModifiers::CONTROL)
+            && (letter || self.shift == event.modifiers.contains(KeyModifiers::SHIFT))
+            && !event.modifiers.contains(KeyModifiers::ALT)
+    }
+
+    /// The event of this key being pressed.
+    #[cfg(test)]
+    pub fn event(self) -> KeyEvent {
+        let mut modifiers = KeyModifiers::NONE;
+        modifiers.set(KeyModifiers::CONTROL, self.control);
+        modifiers.set(KeyModifiers::SHIFT, self.shift);
+        KeyEvent::new(self.code, modifiers)
+    }
+
+    /// What the key is called.
+    pub fn label(self) -> String {
+        let name = match self.code {
+            KeyCode::Char(' ') => "Space".to_owned(),
+            KeyCode::Char(c) if self.control => format!("Ctrl-{}", c.to_uppercase()),
+            KeyCode::Char(c) => c.to_string(),
+            KeyCode::Left => "←".to_owned(),
+            KeyCode::Right => "→".to_owned(),
+            KeyCode::Up => "↑".to_owned(),
+            KeyCode::Down => "↓".to_owned(),
+            KeyCode::PageDown => "PgDn".to_owned(),
+            KeyCode::PageUp => "PgUp".to_owned(),
+            KeyCode::BackTab => "Shift-Tab".to_owned(),
+            other => format!("{other:?}"),
+        };
+        if self.shift {
+            format!("Shift-{name}")
+        } else {
+            name
+        }
+    }
+}
+
+impl Binding {
+    /// All its keys.
+    pub fn labels(&self) -> String {
+        let labels: Vec<_> = self.keys.iter().map(|(key, _)| key.label()).collect();
+        labels.join(" ")
+    }
+
+    /// Its first key, and those that belong with it: short enough for the hint line.
+    pub fn short_label(&self) -> String {
+        let arrows: String = self
+            .keys
+            .iter()
+            .map(|(key, _)| key.label())
+            .filter(|label| ["←", "↓", "↑", "→"].contains(&label.as_str()))
+            .collect();
+        match self.keys.first() {
+            _ if !arrows.is_empty() => arrows,
+            Some((key, _)) => key.label(),
+            None => String::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_means_two_things_at_once() {
+        for context in [Context::Picture, Context::Tree, Context::Prompt] {
+            let mut seen: Vec<Key> = Vec::new();
+            let here = |b: &&Binding| b.context == context || b.context == Context::Always;
+            for (key, action) in ACTIONS.iter().filter(here).flat_map(|b| b.keys) {
+                assert!(!seen.contains(key), "{} twice", key.label());
+                seen.push(*key);
+                assert_eq!(lookup(context, key.event()), Some(*action));
+            }
+        }
+    }
+}

@@ -1,0 +1,468 @@
+//! The state of the debugger, and how actions change it. Drawing (see [`super::draw`]) only reads it.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use ratatui::layout::{Position, Rect};
+
+use super::Options;
+use super::actions::{Action, Context};
+use super::layout::{Pane, Panes, Shown, inside};
+use super::path_pane::{Axis, Outline};
+use super::picture::Picture;
+use super::renderer::{News, Renderer};
+use super::session::Session;
+use super::{details, help, path_pane, picture_pane, steps_pane, tree_pane};
+use crate::scene::{Settings, World};
+use crate::trace::Cursor;
+
+/// What lies over the panes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Overlay {
+    /// The help, from this line on.
+    Help(u16),
+    /// The number of an event is typed.
+    GoTo(String),
+}
+
+/// Everything that a screen shows is in here.
+pub struct App {
+    /// The scene and its accelerator.
+    pub world: Arc<World>,
+    /// How it is rendered; the size is that of the image.
+    pub settings: Settings,
+    /// What the command line chose.
+    pub options: Options,
+    /// The screen.
+    pub screen: Rect,
+    /// The image.
+    pub picture: Picture,
+    /// What the pixel under the cursor looks at.
+    pub seen: String,
+    /// The open tree.
+    pub session: Option<Box<Session>>,
+    /// Since when a pixel is being traced.
+    pub waiting: Option<Instant>,
+    /// What lies over the panes.
+    pub overlay: Option<Overlay>,
+    /// The pane that has the keys while a tree is open.
+    pub focus: Pane,
+    /// True if it stands alone.
+    pub zoom: bool,
+    /// The objects as the drawing of the path shows them.
+    pub outlines: Vec<Outline>,
+    /// From where the path is seen.
+    pub axis: Axis,
+    /// One sentence for the user, until the next key.
+    pub message: Option<String>,
+    /// True if the mouse is caught.
+    pub mouse: bool,
+    /// True when it is time to stop until the shell says `fg`.
+    pub suspend: bool,
+    /// True when it is time to go.
+    pub quit: bool,
+    renderer: Renderer,
+}
+
+/// Where the mouse was pressed or turned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mouse {
+    /// Pressed.
+    Press,
+    /// Moved while pressed.
+    Drag,
+    /// The wheel was turned, down by so many notches.
+    Wheel(i32),
+}
+
+impl App {
+    /// The picture of a world on a screen of this size; rendering begins at once.
+    pub fn new(world: World, settings: Settings, options: Options, screen: Rect) -> Self {
+        let mut app = Self {
+            outlines: path_pane::outlines(&world.scene),
+            world: Arc::new(world),
+            settings,
+            renderer: Renderer::new(options.threads),
+            mouse: options.mouse,
+            options,
+            screen,
+            picture: Picture::default(),
+            seen: String::new(),
+            session: None,
+            waiting: None,
+            overlay: None,
+            focus: Pane::Tree,
+            zoom: false,
+            axis: Axis::Front,
+            message: None,
+            suspend: false,
+            quit: false,
+        };
+        app.fit();
+        app.picture.cursor = (app.picture.size.0 / 2, app.picture.size.1 / 2);
+        app.picture.follow();
+        app.render();
+        app.look();
+        app
+    }
+
+    /// Does what a user asks for.
+    pub fn handle(&mut self, action: Action) {
+        self.message = None;
+        match action {
+            Action::Quit => self.quit = true,
+            Action::Suspend => self.suspend = true,
+            Action::Back => self.back(),
+            Action::Help => {
+                self.overlay = match self.overlay {
+                    Some(Overlay::Help(_)) => None,
+                    _ => Some(Overlay::Help(0)),
+                }
+            }
+            Action::Mouse => {
+                self.mouse = !self.mouse;
+                let text = if self.mouse {
+                    "the mouse picks and scrolls"
+                } else {
+                    "the mouse is the terminal's: select text with it; m takes it back"
+                };
+                self.message = Some(text.to_owned());
+            }
+            Action::Rows(by) | Action::Move(_, by) if self.scrolls_help(by) => {}
+            Action::Pages(by) if self.scrolls_help(by * 10) => {}
+            // Any other key closes the help, and does no more.
+            _ if matches!(self.overlay, Some(Overlay::Help(_))) => self.overlay = None,
+            Action::Move(dx, dy) => {
+                let before = self.picture.cursor;
+                self.picture.move_by(dx, dy);
+                if self.picture.cursor != before {
+                    self.moved();
+                }
+            }
+            Action::Open => self.open(),
+            Action::View => self.axis = self.axis.next(),
+            Action::Zoom => self.zoom = !self.zoom,
+            Action::NextPane => self.focus = self.focus.next(true),
+            Action::PreviousPane => self.focus = self.focus.next(false),
+            Action::GoTo => self.overlay = Some(Overlay::GoTo(String::new())),
+            Action::Erase => {
+                if let Some(Overlay::GoTo(digits)) = &mut self.overlay {
+                    digits.pop();
+                }
+            }
+            Action::Accept => self.accept(),
+            Action::Rows(by) => self.by_rows(by),
+            Action::Pages(by) => {
+                let page = inside(self.panes().place(self.focus)).height.max(2) - 1;
+                self.by_rows(by * i32::from(page));
+            }
+            _ => self.step(action),
+        }
+    }
+
+    /// Moves through the log.
+    fn step(&mut self, action: Action) {
+        let Some(session) = &mut self.session else {
+            return;
+        };
+        let (cursor, tree) = (session.cursor(), session.tree());
+        let found = match action {
+            Action::Step => Some(cursor.step(tree)),
+            Action::StepBack => Some(cursor.back()),
+            Action::Over => Some(cursor.over(tree)),
+            Action::Out => Some(cursor.out(tree)),
+            Action::Start => Some(Cursor::start()),
+            Action::End => Some(Cursor::end(tree)),
+            Action::NextRay(kind) => cursor.next_ray(tree, kind),
+            Action::PreviousRay(kind) => cursor.previous_ray(tree, kind),
+            Action::Unfold => return session.fold(false),
+            Action::Fold => return session.fold(true),
+            Action::Toggle => return session.toggle(),
+            _ => return,
+        };
+        match (found, action) {
+            (Some(cursor), _) => session.go(cursor),
+            (None, Action::NextRay(kind)) => {
+                self.message = Some(format!("no {} ray comes after this", kind.letter()));
+            }
+            (None, Action::PreviousRay(kind)) => {
+                self.message = Some(format!("no {} ray comes before this", kind.letter()));
+            }
+            (None, _) => {}
+        }
+    }
+
+    fn by_rows(&mut self, by: i32) {
+        let room = inside(self.panes().details);
+        let Some(session) = &mut self.session else {
+            return;
+        };
+        match self.focus {
+            Pane::Tree | Pane::Picture => {
+                let row = session.row().saturating_add_signed(by as isize);
+                session.go_to_row(row);
+            }
+            Pane::Details => {
+                let lines = details::lines(session, self.options.color, room.width).len();
+                let last = lines.saturating_sub(usize::from(room.height)) as u16;
+                session.scroll = session.scroll.saturating_add_signed(by as i16).min(last);
+            }
+            Pane::Steps => {
+                let steps = session.steps();
+                if !steps.is_empty() {
+                    let here = session
+                        .cursor()
+                        .position()
+                        .clamp(steps.start, steps.end - 1);
+                    let on_a_step = here == session.cursor().position();
+                    let by = if on_a_step { by as isize } else { 0 };
+                    let to = here
+                        .saturating_add_signed(by)
+                        .clamp(steps.start, steps.end - 1);
+                    session.go(Cursor::at(session.tree(), to));
+                }
+            }
+            Pane::Path => session.go_by_rays(by),
+        }
+    }
+
+    fn back(&mut self) {
+        if self.overlay.take().is_some() {
+            return;
+        }
+        if self.waiting.take().is_some() {
+            self.renderer.give_up_trace();
+        } else if self.zoom && self.session.is_some() {
+            self.zoom = false;
+        } else if self.session.take().is_some() {
+            self.refit();
+        } else {
+            self.quit = true;
+        }
+    }
+
+    fn open(&mut self) {
+        self.waiting = Some(Instant::now());
+        self.renderer
+            .trace(&self.world, self.settings, self.picture.cursor);
+    }
+
+    fn accept(&mut self) {
+        if let Some(Overlay::GoTo(digits)) = self.overlay.take()
+            && let Some(session) = &mut self.session
+            && let Ok(number) = digits.parse::<usize>()
+        {
+            session.go(Cursor::at(session.tree(), number));
+        }
+    }
+
+    /// A letter was typed where a number is asked for.
+    pub fn typed(&mut self, letter: char) {
+        if let Some(Overlay::GoTo(digits)) = &mut self.overlay
+            && letter.is_ascii_digit()
+            && digits.len() < 9
+        {
+            digits.push(letter);
+        }
+    }
+
+    /// Scrolls the help if it is shown.
+    fn scrolls_help(&mut self, by: i32) -> bool {
+        let last = help::last_scroll(self.screen);
+        let Some(Overlay::Help(scroll)) = &mut self.overlay else {
+            return false;
+        };
+        *scroll = scroll.saturating_add_signed(by as i16).min(last);
+        true
+    }
+
+    /// What the keys mean at present.
+    pub fn context(&self) -> Context {
+        match (&self.overlay, &self.session) {
+            (Some(Overlay::GoTo(_)), _) => Context::Prompt,
+            (_, Some(_)) => Context::Tree,
+            (_, None) => Context::Picture,
+        }
+    }
+
+    /// The mouse did something at a place on the screen.
+    pub fn point(&mut self, mouse: Mouse, at: Position) {
+        self.message = None;
+        if self.overlay.is_some() {
+            if let Mouse::Wheel(by) = mouse {
+                self.scrolls_help(by);
+            }
+            return;
+        }
+        let panes = self.panes();
+        let Some(pane) = panes.at(at) else {
+            return;
+        };
+        let place = inside(panes.place(pane));
+        match (pane, mouse) {
+            (Pane::Picture, Mouse::Press | Mouse::Drag) => self.pick(mouse, at),
+            (Pane::Picture, Mouse::Wheel(_)) | (_, Mouse::Drag) => {}
+            (_, Mouse::Wheel(by)) => {
+                self.focus = pane;
+                self.by_rows(by);
+            }
+            (_, Mouse::Press) => {
+                self.focus = pane;
+                let Some(session) = &mut self.session else {
+                    return;
+                };
+                if !place.contains(at) {
+                    return;
+                }
+                let line = usize::from(at.y - place.y);
+                if pane == Pane::Tree {
+                    let row = tree_pane::first_row(session, place.height) + line;
+                    let again = row == session.row();
+                    session.go_to_row(row);
+                    if again {
+                        session.toggle();
+                    }
+                } else if pane == Pane::Steps {
+                    let step = steps_pane::first_step(session, place.height) + line;
+                    if session.steps().contains(&step) {
+                        session.go(Cursor::at(session.tree(), step));
+                    }
+                }
+            }
+        }
+    }
+
+    /// A pixel was clicked: the cursor goes there. A second click opens its tree; if one is open, the first does.
+    fn pick(&mut self, mouse: Mouse, at: Position) {
+        let placement = picture_pane::placement(self, &self.panes());
+        let Some(pixel) = placement.pixel(at) else {
+            return;
+        };
+        let again = pixel == self.picture.cursor && mouse == Mouse::Press;
+        self.picture.cursor = pixel;
+        self.moved();
+        if self.session.is_some() || again {
+            self.open();
+        }
+    }
+
+    /// The screen has another size.
+    pub fn resize(&mut self, screen: Rect) {
+        if screen != self.screen {
+            self.screen = screen;
+            self.refit();
+        }
+    }
+
+    /// Fits the image to the screen again and renders it. An open tree keeps the image that it belongs to.
+    fn refit(&mut self) {
+        if self.session.is_none() && self.fit() {
+            self.render();
+            self.look();
+        }
+    }
+
+    /// Gives the image the size of its pane, unless the command line chose one; the cursor stays at the same place of
+    /// the scene. True if anything changed.
+    fn fit(&mut self) -> bool {
+        let pane = Panes::new(self.screen, Shown::Picture).picture;
+        let visible = (
+            u32::from(pane.width).max(1),
+            2 * u32::from(pane.height).max(1),
+        );
+        let size = self.options.size.unwrap_or(visible);
+        let (old, cursor) = (self.picture.size, self.picture.cursor);
+        let fitted = Picture::new(size, visible, (0, 0));
+        let same = |a: &Picture, b: &Picture| {
+            a.size == b.size
+                && a.window.width == b.window.width
+                && a.window.height == b.window.height
+        };
+        if same(&fitted, &self.picture) {
+            return false;
+        }
+        let scaled = |at: u32, old: u32, new: u32| {
+            let middle = (2 * u64::from(at) + 1) * u64::from(new) / (2 * u64::from(old.max(1)));
+            middle as u32
+        };
+        let cursor = (
+            scaled(cursor.0, old.0, fitted.size.0),
+            scaled(cursor.1, old.1, fitted.size.1),
+        );
+        self.picture = Picture::new(size, visible, cursor);
+        (self.settings.width, self.settings.height) = self.picture.size;
+        true
+    }
+
+    fn render(&mut self) {
+        let (window, known) = (self.picture.window, self.picture.known());
+        self.renderer
+            .render(&self.world, self.settings, window, known);
+    }
+
+    /// The cursor is on another pixel.
+    fn moved(&mut self) {
+        if self.waiting.take().is_some() {
+            self.renderer.give_up_trace();
+        }
+        if self.picture.follow() {
+            self.render();
+        }
+        self.look();
+    }
+
+    /// Looks what stands behind the pixel under the cursor.
+    fn look(&mut self) {
+        let seen = crate::trace::seen(&self.world, &self.settings, self.picture.cursor);
+        self.seen = seen.map_or_else(
+            || "nothing: the background".to_owned(),
+            |seen| {
+                let t = crate::trace::explain::num(seen.t);
+                format!("{} ({}) at t = {t}", seen.object, seen.shape)
+            },
+        );
+    }
+
+    /// Takes in what the background has done by now. True if there was anything.
+    pub fn receive(&mut self) -> bool {
+        let mut any = false;
+        while let Some(news) = self.renderer.news() {
+            any = true;
+            match news {
+                News::Pixels(_, pixels) => {
+                    for (at, color) in pixels {
+                        self.picture.set(at, color);
+                    }
+                }
+                News::Rendered(_) => {}
+                News::Traced(_, session) => {
+                    self.session = Some(session);
+                    self.waiting = None;
+                }
+            }
+        }
+        any
+    }
+
+    /// True while the background works.
+    pub fn is_busy(&self) -> bool {
+        self.renderer.is_rendering() || self.renderer.is_tracing()
+    }
+
+    /// What is to be shown.
+    pub fn shown(&self) -> Shown {
+        if self.session.is_some() {
+            Shown::Tree {
+                focus: self.focus,
+                zoom: self.zoom,
+            }
+        } else {
+            Shown::Picture
+        }
+    }
+
+    /// Where it stands.
+    pub fn panes(&self) -> Panes {
+        Panes::new(self.screen, self.shown())
+    }
+}

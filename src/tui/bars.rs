@@ -1,0 +1,172 @@
+//! The lines around the panes: title, status of the pixel, keys.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Stylize as _;
+use ratatui::text::{Line, Span};
+
+use super::actions::{ACTIONS, Context};
+use super::app::{App, Overlay};
+use super::draw::write;
+use super::theme;
+use crate::math::Rgb;
+use crate::scene::Settings;
+use crate::trace::explain::num;
+
+/// How long a pixel may take before a spinner turns, in milliseconds.
+const PATIENCE: u128 = 100;
+
+/// The scene, the pixel, its colour.
+pub fn title(app: &App, place: Rect, buffer: &mut Buffer) {
+    let Some(session) = &app.session else {
+        return;
+    };
+    let trace = &session.trace;
+    let [r, g, b] = (trace.pixel.color * session.settings.exposure).to_srgb8();
+    let mut line = Line::from(vec![
+        Span::raw(format!(" {}  ", session.world.scene.name)).bold(),
+        Span::raw(format!("pixel ({}, {})  ", trace.x, trace.y)),
+        theme::swatch(
+            trace.pixel.color * session.settings.exposure,
+            app.options.color,
+        ),
+        Span::raw(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays)),
+    ]);
+    if trace.tree.dropped > 0 {
+        let text = format!(
+            "  the log is full: {} events were not kept",
+            trace.tree.dropped
+        );
+        line.push_span(Span::raw(text).bold());
+    }
+    line.push_span(Span::raw(busy(app)));
+    write(buffer, place.x, place.y, &line, place.width);
+}
+
+/// The pixel under the cursor, and how to trace it again.
+pub fn status(app: &App, place: Rect, buffer: &mut Buffer) {
+    let (x, y) = app.picture.cursor;
+    let mut line = Line::from(format!(" ({x}, {y}) ")).bold();
+    match app.picture.exact((x, y)) {
+        Some(color) => {
+            let shown = color * app.settings.exposure;
+            let [r, g, b] = shown.to_srgb8();
+            line.push_span(theme::swatch(shown, app.options.color));
+            let Rgb {
+                r: lr,
+                g: lg,
+                b: lb,
+            } = color;
+            let (lr, lg, lb) = (short(lr), short(lg), short(lb));
+            line.push_span(format!(
+                " sRGB ({r}, {g}, {b})  linear ({lr}, {lg}, {lb})  "
+            ));
+        }
+        None => line.push_span("rendering ...  "),
+    }
+    line.push_span(Span::raw(app.seen.clone()));
+    if place.height >= 1 {
+        write(buffer, place.x, place.y, &line, place.width);
+    }
+    if place.height >= 2 {
+        let mut again = Line::from(Span::raw(format!(" {}", rerun(app))).style(theme::dim()));
+        again.push_span(busy(app));
+        write(buffer, place.x, place.y + 1, &again, place.width);
+    }
+}
+
+fn short(x: f64) -> String {
+    let text = format!("{x:.4}");
+    if x.abs() < 1000.0 { text } else { num(x) }
+}
+
+/// What the background is doing.
+fn busy(app: &App) -> String {
+    if let Some(since) = app.waiting {
+        let waited = since.elapsed().as_millis();
+        if waited >= PATIENCE {
+            let turn = ["-", "\\", "|", "/"][(waited / 100 % 4) as usize];
+            return format!("  {turn} tracing the pixel (Esc gives up)");
+        }
+    }
+    let progress = app.picture.progress();
+    if app.session.is_none() && progress < 1.0 {
+        return format!("  rendering {:.0} %", (progress * 100.0).floor());
+    }
+    String::new()
+}
+
+/// The command that traces the pixel under the cursor as text.
+pub fn rerun(app: &App) -> String {
+    let Settings { width, height, .. } = app.settings;
+    let (x, y) = app.picture.cursor;
+    let mut command = format!(
+        "raytree trace {} --size {width}x{height} --pixel {x},{y}",
+        app.options.scene
+    );
+    for (flag, value) in flags(&app.settings, &app.world.scene.settings) {
+        command.push_str(&format!(" --{flag} {value}"));
+    }
+    command
+}
+
+/// The settings that are not the scene's own, as flags.
+fn flags(now: &Settings, own: &Settings) -> Vec<(&'static str, String)> {
+    let all = [
+        ("samples", now.samples.to_string(), own.samples.to_string()),
+        ("depth", now.depth.to_string(), own.depth.to_string()),
+        (
+            "min-weight",
+            now.min_weight.to_string(),
+            own.min_weight.to_string(),
+        ),
+        ("seed", now.seed.to_string(), own.seed.to_string()),
+        (
+            "accel",
+            now.accel.name().to_owned(),
+            own.accel.name().to_owned(),
+        ),
+    ];
+    let changed = all.into_iter().filter(|(_, now, own)| now != own);
+    changed.map(|(flag, now, _)| (flag, now)).collect()
+}
+
+/// What the keys do here, as many as there is room for.
+pub fn hint(app: &App, place: Rect, buffer: &mut Buffer) {
+    if place.is_empty() {
+        return;
+    }
+    let mut line = Line::default();
+    if let Some(Overlay::GoTo(digits)) = &app.overlay {
+        let last = app
+            .session
+            .as_ref()
+            .map_or(0, |s| s.tree().events.len().saturating_sub(1));
+        line.push_span(Span::raw(format!(" event (0 to {last}): {digits}▏ ")).bold());
+    } else if let Some(message) = &app.message {
+        line.push_span(Span::raw(format!(" {message}")).bold());
+    }
+    let context = app.context();
+    let here = |c: Context| c == context || c == Context::Always;
+    let mut bindings: Vec<_> = ACTIONS
+        .iter()
+        .filter(|b| b.hint && here(b.context))
+        .collect();
+    // The way to the rest is always in sight.
+    bindings.sort_by_key(|b| b.name != "help");
+    for binding in bindings {
+        let name = if binding.name == "back" && context == Context::Picture {
+            "quit"
+        } else {
+            binding.name
+        };
+        let key = Span::styled(format!(" {}", binding.short_label()), theme::keycap());
+        let name = Span::raw(format!(" {name} "));
+        if line.width() + key.width() + name.width() > usize::from(place.width) {
+            break;
+        }
+        line.push_span(key);
+        line.push_span(name);
+    }
+    write(buffer, place.x, place.y, &line, place.width);
+}

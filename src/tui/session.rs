@@ -1,0 +1,191 @@
+//! An open ray tree: the recorded pixel, the place in its log, and what panes need of it often.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::rows::Rows;
+use crate::geometry::Aabb;
+use crate::math::Ray;
+use crate::probe::Event;
+use crate::scene::{Settings, World};
+use crate::trace::{Cursor, Outcome, PixelTrace, RayTree, View, trace_pixel};
+
+/// Rays that the drawing of the path shows at most.
+pub const MAX_DRAWN: usize = 2000;
+
+/// The open tree of a pixel.
+pub struct Session {
+    /// Scene and accelerator.
+    pub world: Arc<World>,
+    /// As the picture was rendered.
+    pub settings: Settings,
+    /// The recording.
+    pub trace: PixelTrace,
+    /// Rows of the tree.
+    pub rows: Rows,
+    /// A box around all that the drawing of the path shows.
+    pub extent: Aabb,
+    /// First line of the details that is shown.
+    pub scroll: u16,
+    cursor: Cursor,
+    steps: Range<usize>,
+}
+
+impl Session {
+    /// Traces a pixel with all steps through the acceleration structure.
+    pub fn new(world: Arc<World>, settings: Settings, at: (u32, u32)) -> Self {
+        let trace = trace_pixel(&world, &settings, at, true);
+        let rows = Rows::new(&trace.tree);
+        let extent = extent(&world, &trace.tree);
+        let mut session = Self {
+            world,
+            settings,
+            trace,
+            rows,
+            extent,
+            scroll: 0,
+            cursor: Cursor::start(),
+            steps: 0..0,
+        };
+        session.go(Cursor::start());
+        session
+    }
+
+    /// The recording with all that explains it.
+    pub fn view(&self) -> View<'_> {
+        View {
+            world: &self.world,
+            settings: &self.settings,
+            trace: &self.trace,
+        }
+    }
+
+    /// The tree.
+    pub fn tree(&self) -> &RayTree {
+        &self.trace.tree
+    }
+
+    /// The place in the log.
+    pub fn cursor(&self) -> Cursor {
+        self.cursor
+    }
+
+    /// The ray that the current event belongs to; between the samples there is none.
+    pub fn node(&self) -> Option<u32> {
+        self.tree().node_of_event(self.cursor.position())
+    }
+
+    /// The current row of the tree.
+    pub fn row(&self) -> usize {
+        self.rows.of_event(self.tree(), self.cursor.position())
+    }
+
+    /// The events of the current ray's way through the acceleration structure.
+    pub fn steps(&self) -> Range<usize> {
+        self.steps.clone()
+    }
+
+    /// Goes to a place in the log.
+    pub fn go(&mut self, cursor: Cursor) {
+        if cursor != self.cursor {
+            self.scroll = 0;
+        }
+        self.cursor = cursor;
+        self.rows.reveal(&self.trace.tree, cursor.position());
+        let first = self
+            .node()
+            .map(|n| self.tree().node(n).first_event as usize + 1);
+        if self.steps.start != first.unwrap_or(0) {
+            self.steps = first.map_or(0..0, |first| steps(self.tree(), first));
+        }
+    }
+
+    /// Goes to a row of the tree.
+    pub fn go_to_row(&mut self, row: usize) {
+        let row = row.min(self.rows.len().saturating_sub(1));
+        if let Some(row) = self.rows.get(row) {
+            self.go(Cursor::at(self.tree(), row.event as usize));
+        }
+    }
+
+    /// Goes to the ray before or behind the current one that is `by` rays away.
+    pub fn go_by_rays(&mut self, by: i32) {
+        let count = self.tree().nodes.len();
+        let node = self.node().unwrap_or(0).saturating_add_signed(by);
+        if count > 0 {
+            let node = node.min(count as u32 - 1);
+            self.go(Cursor::at_node(self.tree(), node));
+        }
+    }
+
+    /// Hides or shows what hangs on the current ray; a ray that hides nothing more leads to its parent.
+    pub fn fold(&mut self, close: bool) {
+        let Some(row) = self.rows.get(self.row()) else {
+            return;
+        };
+        let tree = &self.trace.tree;
+        let open =
+            !row.absent && self.rows.has_children(tree, row.node) && !self.rows.is_closed(row.node);
+        if close && !open {
+            let parent = if row.absent {
+                Some(row.node)
+            } else {
+                tree.node(row.node).parent
+            };
+            if let Some(parent) = parent {
+                self.go(Cursor::at_node(&self.trace.tree, parent));
+            }
+            return;
+        }
+        if row.absent {
+            return;
+        }
+        // On a closed ray the current event must be one that its row stands for.
+        if close {
+            self.go(Cursor::at_node(&self.trace.tree, row.node));
+        }
+        self.rows.close(&self.trace.tree, row.node, close);
+    }
+
+    /// Shows what hangs on the current ray if it is hidden, else hides it.
+    pub fn toggle(&mut self) {
+        if let Some(row) = self.rows.get(self.row())
+            && !row.absent
+        {
+            self.fold(!self.rows.is_closed(row.node));
+        }
+    }
+}
+
+/// The run of traversal events that begins at `first`.
+fn steps(tree: &RayTree, first: usize) -> Range<usize> {
+    let is_step = |event: &&Event| matches!(event, Event::Visit(_) | Event::Test { .. });
+    let rest = tree.events.get(first..).unwrap_or_default();
+    first..first + rest.iter().take_while(is_step).count()
+}
+
+/// A box around all places where rays start and end, and around what they hit if that is not much larger.
+fn extent(world: &World, tree: &RayTree) -> Aabb {
+    let nodes = &tree.nodes[..tree.nodes.len().min(MAX_DRAWN)];
+    let ends = nodes.iter().filter_map(|node| {
+        let t = match node.outcome? {
+            Outcome::Hit(hit) | Outcome::Blocked(hit) => hit.t,
+            Outcome::Lit if node.sent.t_max.is_finite() => node.sent.t_max,
+            Outcome::Lit | Outcome::Miss => return None,
+        };
+        Some(Ray::new(node.sent.origin, node.sent.direction).at(t))
+    });
+    let origins = nodes.iter().map(|node| node.sent.origin);
+    let points = Aabb::around(origins.chain(ends));
+    let mut all = points;
+    for node in nodes {
+        if let Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) = node.outcome
+            && let Some(bounds) = world.scene.shapes[hit.primitive as usize].bounds()
+            && bounds.size().length() < points.size().length()
+        {
+            all = all.union(bounds);
+        }
+    }
+    let margin = 0.05 * all.size().length().max(0.1);
+    all.padded(crate::math::DVec3::splat(margin))
+}

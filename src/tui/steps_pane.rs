@@ -1,0 +1,161 @@
+//! The current ray's way through the acceleration structure: nodes visited and skipped, shapes tested.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Stylize as _;
+use ratatui::text::{Line, Span};
+
+use super::draw::write;
+use super::session::Session;
+use super::theme;
+use crate::probe::{Choice, Event, NONE, Verdict, Visit};
+use crate::trace::explain::num;
+
+/// Its title.
+pub fn title(session: &Session) -> Line<'static> {
+    let steps = session.steps();
+    let here = session.cursor().position();
+    let kind = session.settings.accel.name();
+    if steps.contains(&here) {
+        let (n, of) = (here - steps.start + 1, steps.len());
+        return Line::raw(format!(" {kind} step {n} of {of} "));
+    }
+    Line::raw(format!(" {kind}: {} steps ", steps.len()))
+}
+
+/// The first step that is shown in a pane of `height` rows: the current one stays in the middle.
+pub fn first_step(session: &Session, height: u16) -> usize {
+    let steps = session.steps();
+    let height = usize::from(height);
+    let last = steps.end.saturating_sub(height).max(steps.start);
+    let here = session.cursor().position();
+    here.saturating_sub(height / 2).clamp(steps.start, last)
+}
+
+/// Draws the steps around the current one.
+pub fn draw(session: &Session, place: Rect, buffer: &mut Buffer) {
+    let steps = session.steps();
+    if steps.is_empty() {
+        let text = "this ray was not searched for anything";
+        write(
+            buffer,
+            place.x,
+            place.y,
+            &Line::from(text).style(theme::dim()),
+            place.width,
+        );
+        return;
+    }
+    let here = session.cursor().position();
+    let shown = first_step(session, place.height)..steps.end;
+    for (y, index) in (place.y..place.bottom()).zip(shown) {
+        let current = index == here;
+        let mut line = Line::from(Span::raw(if current { theme::POINTER } else { " " }).bold());
+        match session.tree().events.get(index) {
+            Some(Event::Visit(visit)) => line.extend(visited(session, visit)),
+            Some(Event::Test {
+                primitive,
+                verdict,
+                t,
+            }) => line.extend(tested(session, *primitive, *verdict, *t)),
+            _ => {}
+        }
+        write(buffer, place.x, y, &line, place.width);
+        if current {
+            let row = Rect::new(place.x + 1, y, place.width.saturating_sub(1), 1);
+            buffer.set_style(row.intersection(buffer.area), theme::current());
+        }
+    }
+}
+
+/// A node: where it is split, which part of the ray is inside, what is done and why.
+fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
+    let [t0, t1] = visit.interval;
+    let node = format!("node {}", visit.node);
+    let interval = format!(" t {}..{}", short(t0), short(t1));
+    let child = |id: u32| {
+        if id == NONE {
+            "empty".to_owned()
+        } else {
+            id.to_string()
+        }
+    };
+    let (near, far) = (child(visit.near), child(visit.far));
+    let plane = session
+        .world
+        .accel
+        .plane(visit.node)
+        .map_or_else(String::new, |(n, d)| {
+            format!(" {} at t {}", plane(n.to_array(), d), short(visit.t_split))
+        });
+    let choice = match visit.choice {
+        Choice::Leaf => " leaf".to_owned(),
+        Choice::Both => format!(": near {near}, then far {far}"),
+        Choice::NearSplitBeyond => format!(": near {near}; far {far} skipped, beyond the interval"),
+        Choice::NearRunsAway => format!(": near {near}; far {far} skipped, runs away from it"),
+        Choice::FarSplitBefore => format!(": far {far}; near {near} skipped, before the interval"),
+        Choice::SkippedCloserHit => " skipped: a closer hit is known".to_owned(),
+        Choice::SkippedOutside => " skipped: misses the scene's box".to_owned(),
+    };
+    let skipped = matches!(
+        visit.choice,
+        Choice::SkippedCloserHit | Choice::SkippedOutside
+    );
+    let style = if skipped {
+        theme::dim()
+    } else {
+        ratatui::style::Style::new()
+    };
+    vec![
+        Span::styled(node, style.bold()),
+        Span::styled(interval, style),
+        Span::styled(plane, style),
+        Span::styled(choice, style),
+    ]
+}
+
+/// x = d along an axis, else the normal.
+fn plane([x, y, z]: [f64; 3], d: f64) -> String {
+    match [x, y, z] {
+        [1.0, 0.0, 0.0] => format!("x = {}", short(d)),
+        [0.0, 1.0, 0.0] => format!("y = {}", short(d)),
+        [0.0, 0.0, 1.0] => format!("z = {}", short(d)),
+        _ => format!(
+            "({}, {}, {}).p = {}",
+            short(x),
+            short(y),
+            short(z),
+            short(d)
+        ),
+    }
+}
+
+/// A shape: crossed or not, and where.
+fn tested(session: &Session, primitive: u32, verdict: Verdict, t: f64) -> Vec<Span<'static>> {
+    let scene = &session.world.scene;
+    let name = &scene.object_of(primitive).name;
+    let number = scene.local_index(primitive);
+    let kind = scene.shapes[primitive as usize].kind();
+    let text = format!("  test {name} {kind} {number}: ");
+    let result = match verdict {
+        Verdict::Hit => Span::raw(format!("hit at t {}", short(t))).bold(),
+        Verdict::Miss => Span::styled("miss", theme::dim()),
+        Verdict::TooFar => Span::styled(format!("too far, t {}", short(t)), theme::dim()),
+        Verdict::Behind => Span::styled(format!("behind, t {}", short(t)), theme::dim()),
+    };
+    vec![Span::raw(text), result]
+}
+
+fn short(x: f64) -> String {
+    if x.is_infinite() {
+        return "∞".to_owned();
+    }
+    if x.is_nan() {
+        return "none".to_owned();
+    }
+    if x == 0.0 || (1e-3..1e5).contains(&x.abs()) {
+        let text = format!("{x:.3}");
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    num(x)
+}

@@ -1,0 +1,222 @@
+//! The ray tree, a row a ray. Only the rows on the screen are made, however large the tree is.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Stylize as _;
+use ratatui::text::{Line, Span};
+
+use super::draw::write;
+use super::rows::{Row, Rows};
+use super::session::Session;
+use super::theme::{self, ColorLevel};
+use crate::math::Rgb;
+use crate::probe::{Event, RayKind};
+use crate::trace::explain::num;
+use crate::trace::{Node, Outcome};
+
+/// Columns that a level of the tree takes.
+const INDENT: usize = 2;
+
+/// Columns behind the names: t, share, colour.
+const COLUMNS: usize = 24;
+
+/// The first row that is shown in a pane of `height` rows: the current one stays in the middle.
+pub fn first_row(session: &Session, height: u16) -> usize {
+    let height = usize::from(height);
+    let last = session.rows.len().saturating_sub(height);
+    session.row().saturating_sub(height / 2).min(last)
+}
+
+/// Its title.
+pub fn title(session: &Session) -> Line<'static> {
+    Line::raw(format!(" ray tree: {} rays ", session.tree().nodes.len()))
+}
+
+/// Draws the rows around the current one.
+pub fn draw(session: &Session, level: ColorLevel, place: Rect, buffer: &mut Buffer) {
+    let (current, first) = (session.row(), first_row(session, place.height));
+    let shift = shift(session, current, place.width);
+    for line in 0..place.height {
+        let number = first + usize::from(line);
+        let Some(row) = session.rows.get(number) else {
+            break;
+        };
+        let at = Rect {
+            y: place.y + line,
+            height: 1,
+            ..place
+        };
+        draw_row(session, row, number == current, shift, level, at, buffer);
+    }
+}
+
+/// Levels that are left out at the left side, so that a deep current row has room for its name.
+fn shift(session: &Session, current: usize, width: u16) -> usize {
+    let depth = session
+        .rows
+        .get(current)
+        .map_or(0, |row| Rows::depth(session.tree(), row));
+    let room = usize::from(width).saturating_sub(COLUMNS + 20) / INDENT;
+    (depth as usize).saturating_sub(room.max(2))
+}
+
+fn draw_row(
+    session: &Session,
+    row: Row,
+    current: bool,
+    shift: usize,
+    level: ColorLevel,
+    place: Rect,
+    buffer: &mut Buffer,
+) {
+    let mut line = Line::default();
+    line.push_span(Span::raw(if current { theme::POINTER } else { " " }).bold());
+    line.push_span(Span::raw(guides(session, row, shift)).style(theme::dim()));
+    let end;
+    if row.absent {
+        line.push_span(Span::styled(absence(session, row), theme::dim()));
+        end = Line::default();
+    } else {
+        let node = session.tree().node(row.node);
+        let fold = match session.rows.has_children(session.tree(), row.node) {
+            true if session.rows.is_closed(row.node) => "▸",
+            true => "▾",
+            false => " ",
+        };
+        line.push_span(Span::raw(fold));
+        let kind = node.sent.kind;
+        line.push_span(Span::styled(kind.letter(), theme::kind_style(kind)));
+        line.push_span(Span::raw(format!(" {}", name(session, node))));
+        end = columns(session, row.node, level);
+    }
+    let width = place.width.saturating_sub(end.width() as u16);
+    write(buffer, place.x, place.y, &line, width);
+    write(buffer, place.x + width, place.y, &end, place.width - width);
+    if current {
+        // The colours at the end stay as they are: reversed they would lie.
+        let marked = Rect {
+            x: place.x + 1,
+            width: place.width.saturating_sub(if row.absent { 1 } else { 4 }),
+            ..place
+        };
+        buffer.set_style(marked.intersection(buffer.area), theme::current());
+    }
+}
+
+/// What a ray met.
+fn name(session: &Session, node: &Node) -> String {
+    let scene = &session.world.scene;
+    let object = |primitive| &scene.object_of(primitive).name;
+    let to = if node.sent.kind == RayKind::Light {
+        format!("to {}: ", session.view().light_name(node.sent.light))
+    } else {
+        String::new()
+    };
+    match node.outcome {
+        Some(Outcome::Hit(hit)) => format!("{to}{}", object(hit.primitive)),
+        Some(Outcome::Blocked(hit)) => format!("{to}blocked by {}", object(hit.primitive)),
+        Some(Outcome::Lit) => format!("{to}lit"),
+        Some(Outcome::Miss) => format!("{to}background"),
+        None => format!("{to}not finished"),
+    }
+}
+
+/// t, share of the pixel, colour.
+fn columns(session: &Session, id: u32, level: ColorLevel) -> Line<'static> {
+    let node = session.tree().node(id);
+    let t = match node.outcome {
+        Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => num3(hit.t),
+        Some(Outcome::Lit) => num3(node.sent.t_max),
+        _ => "∞".to_owned(),
+    };
+    let share = format!("{:.1}", session.view().share(id) * 100.0);
+    let color = if node.sent.kind == RayKind::Light {
+        lit(session, id)
+    } else {
+        node.radiance
+    };
+    Line::from(vec![
+        Span::raw(format!(" t {t:>8} {share:>6} % ")),
+        theme::swatch(color * session.settings.exposure, level),
+        Span::raw(" "),
+    ])
+}
+
+/// What a light adds at its point: the sum of its terms.
+fn lit(session: &Session, id: u32) -> Rgb {
+    let tree = session.tree();
+    let node = tree.node(id);
+    let Some(parent) = node.parent else {
+        return Rgb::BLACK;
+    };
+    let terms = tree
+        .own_events(parent)
+        .filter_map(|(_, event)| match *event {
+            Event::Term { light, value, .. } if light == node.sent.light => Some(value),
+            _ => None,
+        });
+    terms.fold(Rgb::BLACK, |sum, value| sum + value)
+}
+
+fn num3(x: f64) -> String {
+    if (1e-3..1e5).contains(&x) {
+        format!("{x:.3}")
+    } else {
+        num(x)
+    }
+}
+
+fn absence(session: &Session, row: Row) -> String {
+    match session.tree().events.get(row.event as usize) {
+        Some(Event::Absent {
+            kind,
+            light,
+            reason,
+        }) => {
+            let name = session.view().light_name(*light);
+            let to = if name.is_empty() {
+                String::new()
+            } else {
+                format!(" to {name}")
+            };
+            format!("no {}{to}: {}", kind.letter(), reason.name())
+        }
+        _ => String::new(),
+    }
+}
+
+/// The guide lines before a row: for each ray around it whether more follows below that.
+fn guides(session: &Session, row: Row, shift: usize) -> String {
+    let tree = session.tree();
+    let mut parts: Vec<&str> = Vec::new();
+    let (mut at, mut own) = (row, true);
+    let depth = Rows::depth(tree, row) as usize;
+    // From the row to the root, but no further left than the pane reaches.
+    for _ in shift..depth {
+        parts.push(match (session.rows.is_last(tree, at), own) {
+            (true, true) => "└─",
+            (false, true) => "├─",
+            (true, false) => "  ",
+            (false, false) => "│ ",
+        });
+        own = false;
+        let parent = if at.absent {
+            Some(at.node)
+        } else {
+            tree.node(at.node).parent
+        };
+        let Some(parent) = parent else {
+            break;
+        };
+        at = Row {
+            event: tree.node(parent).first_event,
+            node: parent,
+            absent: false,
+        };
+    }
+    if shift > 0 {
+        parts.push("…");
+    }
+    parts.reverse();
+    parts.concat()
+}
