@@ -38,9 +38,44 @@ fn bumpy_ball(rings: usize) -> Vec<Triangle> {
         .collect()
 }
 
-/// What is measured: meshes of about unit size around the origin.
+/// The triangles of a box, turned about the y axis.
+fn turned_box(center: DVec3, half: DVec3, angle: f64) -> Vec<Triangle> {
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    let place = |s: [f64; 3]| {
+        let p = DVec3::from(s) * half;
+        center + DVec3::new(cos * p.x + sin * p.z, p.y, cos * p.z - sin * p.x)
+    };
+    (0..3)
+        .flat_map(|axis| [-1.0, 1.0].map(|side| (axis, side)))
+        .flat_map(|(axis, side)| {
+            let at = |u: f64, v: f64| {
+                let mut s = [side; 3];
+                (s[(axis + 1) % 3], s[(axis + 2) % 3]) = (u, v);
+                place(s)
+            };
+            let (a, b, c, d) = (at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0));
+            [[a, b, c], [a, c, d]].map(|corners| Triangle { corners })
+        })
+        .collect()
+}
+
+/// A few large polygons: what a tree of the polygons' own planes is best at.
+fn room() -> Vec<Triangle> {
+    [
+        turned_box(DVec3::ZERO, DVec3::splat(4.0), 0.0),
+        turned_box(DVec3::new(-0.5, -0.4, -0.5), DVec3::new(0.3, 0.6, 0.3), 0.3),
+        turned_box(DVec3::new(0.5, -0.7, 0.2), DVec3::splat(0.3), -0.4),
+    ]
+    .concat()
+}
+
+/// What is measured, seen from about 3 m away.
 fn meshes() -> Vec<(&'static str, Vec<Triangle>)> {
-    vec![("ball-4k", bumpy_ball(32)), ("ball-100k", bumpy_ball(158))]
+    vec![
+        ("room-36", room()),
+        ("ball-4k", bumpy_ball(32)),
+        ("ball-100k", bumpy_ball(158)),
+    ]
 }
 
 /// One ray for each of 160 x 120 pixels.
