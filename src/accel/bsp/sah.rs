@@ -8,7 +8,7 @@ use super::classify::{Item, Splitter};
 use crate::geometry::Aabb;
 
 /// What a step to a child costs, in tests of one primitive.
-const STEP: f64 = 0.7;
+const STEP: f64 = 1.0;
 
 /// How many bins an axis is cut into.
 const BINS: usize = 32;
