@@ -9,8 +9,10 @@ use ratatui::style::{Color, Modifier, Style};
 use super::app::App;
 use super::layout::{Panes, inside};
 use super::picture::Window;
-use super::theme::{self, ColorLevel};
+use super::theme;
 use crate::math::Rgb;
+use crate::tracer::picture::ColorLevel;
+use crate::tracer::picture::text::ramp;
 
 /// Which pixel lies where.
 #[derive(Clone, Copy, Debug)]
@@ -101,7 +103,7 @@ pub fn draw(app: &App, placement: &Placement, buffer: &mut Buffer) {
         for column in 0..cells.width {
             let (upper, lower) = (color(column, 2 * row), color(column, 2 * row + 1));
             if let Some(cell) = buffer.cell_mut((cells.x + column, cells.y + row)) {
-                if app.options.color == ColorLevel::None {
+                if app.options.color == ColorLevel::Never {
                     cell.set_char(letter(upper, lower));
                 } else {
                     paint(cell, upper, lower);
@@ -130,15 +132,11 @@ fn paint(cell: &mut ratatui::buffer::Cell, upper: Option<Rgb>, lower: Option<Rgb
 
 /// The mean brightness of two pixels as a letter.
 fn letter(upper: Option<Rgb>, lower: Option<Rgb>) -> char {
-    let known: Vec<f64> = [upper, lower]
-        .into_iter()
-        .flatten()
-        .map(Rgb::luminance)
-        .collect();
-    if known.is_empty() {
-        return ' ';
+    match (upper, lower) {
+        (None, None) => ' ',
+        (Some(one), None) | (None, Some(one)) => ramp(one),
+        (Some(upper), Some(lower)) => ramp((upper + lower) * 0.5),
     }
-    theme::ramp(known.iter().sum::<f64>() / known.len() as f64)
 }
 
 /// Points at the pixel under the cursor from its four sides. The pixel itself stays as it is; left and right, the
@@ -152,7 +150,7 @@ fn mark(app: &App, placement: &Placement, buffer: &mut Buffer) {
     } else {
         ['▗', '▖']
     };
-    let plain = app.options.color == ColorLevel::None;
+    let plain = app.options.color == ColorLevel::Never;
     let marks = [(-1, 0, left), (1, 0, right), (0, -1, '╻'), (0, 1, '╹')];
     for (dx, dy, mark) in marks {
         let Ok(at) = u16::try_from(x + dx).and_then(|x| Ok((x, u16::try_from(y + dy)?))) else {

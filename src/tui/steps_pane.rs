@@ -91,6 +91,7 @@ fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
     let choice = match visit.choice {
         Choice::Leaf => " leaf".to_owned(),
         Choice::Both => format!(": near {near}, then far {far}"),
+        Choice::BothInDoubt => format!(": near {near}, then far {far}, both in doubt"),
         Choice::NearSplitBeyond => format!(": near {near}; far {far} skipped, beyond the interval"),
         Choice::NearRunsAway => format!(": near {near}; far {far} skipped, runs away from it"),
         Choice::FarSplitBefore => format!(": far {far}; near {near} skipped, before the interval"),
