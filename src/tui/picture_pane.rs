@@ -151,7 +151,12 @@ fn mark(app: &App, placement: &Placement, buffer: &mut Buffer) {
         ['▗', '▖']
     };
     let plain = app.options.color == ColorLevel::Never;
-    let marks = [(-1, 0, left), (1, 0, right), (0, -1, '╻'), (0, 1, '╹')];
+    let mut marks = vec![(-1, 0, left), (1, 0, right), (0, -1, '╻'), (0, 1, '╹')];
+    // Where pixels lie one to one there is room for a larger cross.
+    if placement.scale == 1.0 {
+        marks.extend([(-2, 0, '━'), (2, 0, '━'), (-3, 0, '━'), (3, 0, '━')]);
+        marks.extend([(0, -2, '┃'), (0, 2, '┃')]);
+    }
     for (dx, dy, mark) in marks {
         let Ok(at) = u16::try_from(x + dx).and_then(|x| Ok((x, u16::try_from(y + dy)?))) else {
             continue;

@@ -136,8 +136,7 @@ fn tested(session: &Session, primitive: u32, verdict: Verdict, t: f64) -> Vec<Sp
     let scene = &session.world.scene;
     let name = &scene.object_of(primitive).name;
     let number = scene.local_index(primitive);
-    let kind = scene.shapes[primitive as usize].kind();
-    let text = format!("  test {name} {kind} {number}: ");
+    let text = format!("  test {name} {number}: ");
     let result = match verdict {
         Verdict::Hit => Span::raw(format!("hit at t {}", short(t))).bold(),
         Verdict::Miss => Span::styled("miss", theme::dim()),

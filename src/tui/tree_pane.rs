@@ -180,7 +180,7 @@ fn absence(session: &Session, row: Row) -> String {
             } else {
                 format!(" to {name}")
             };
-            format!("no {}{to}: {}", kind.letter(), reason.name())
+            format!(" no {}{to}: {}", kind.letter(), reason.name())
         }
         _ => String::new(),
     }
