@@ -20,7 +20,7 @@ mod rows;
 mod session;
 mod steps_pane;
 mod terminal;
-pub mod theme;
+mod theme;
 mod tree_pane;
 
 use std::io::{self, IsTerminal};
@@ -29,9 +29,9 @@ use std::time::{Duration, Instant};
 use crossterm::event;
 
 use crate::scene::{Settings, World};
+use crate::tracer::picture::ColorLevel;
 use app::App;
 use terminal::Screen;
-pub use theme::ColorLevel;
 
 /// What the command line chooses.
 #[derive(Clone, Debug, PartialEq)]

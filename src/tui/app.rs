@@ -93,7 +93,7 @@ impl App {
             overlay: None,
             focus: Pane::Tree,
             zoom: false,
-            axis: Axis::Front,
+            axis: Axis::Side,
             message: None,
             suspend: false,
             quit: false,

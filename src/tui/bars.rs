@@ -46,7 +46,7 @@ pub fn title(app: &App, place: Rect, buffer: &mut Buffer) {
 /// The pixel under the cursor, and how to trace it again.
 pub fn status(app: &App, place: Rect, buffer: &mut Buffer) {
     let (x, y) = app.picture.cursor;
-    let mut line = Line::from(format!(" ({x}, {y}) ")).bold();
+    let mut line = Line::from(Span::raw(format!(" ({x}, {y}) ")).bold());
     match app.picture.exact((x, y)) {
         Some(color) => {
             let shown = color * app.settings.exposure;
@@ -152,8 +152,8 @@ pub fn hint(app: &App, place: Rect, buffer: &mut Buffer) {
         .iter()
         .filter(|b| b.hint && here(b.context))
         .collect();
-    // The way to the rest is always in sight.
-    bindings.sort_by_key(|b| b.name != "help");
+    // The way to the rest and the way out are always in sight.
+    bindings.sort_by_key(|b| !matches!(b.name, "help" | "back"));
     for binding in bindings {
         let name = if binding.name == "back" && context == Context::Picture {
             "quit"

@@ -7,8 +7,9 @@ use ratatui::text::{Line, Span};
 
 use super::draw::write;
 use super::session::Session;
-use super::theme::{self, ColorLevel};
+use super::theme;
 use crate::trace::explain;
+use crate::tracer::picture::ColorLevel;
 
 /// Its title: which event of how many.
 pub fn title(session: &Session) -> Line<'static> {

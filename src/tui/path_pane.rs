@@ -187,7 +187,7 @@ struct Drawing<'a> {
 
 /// Draws the scene and the rays of the tree.
 pub fn draw(session: &Session, outlines: &[Outline], axis: Axis, place: Rect, buffer: &mut Buffer) {
-    let Some((x, y, dot)) = bounds(session.extent, axis, place) else {
+    let Some((x, y, dot)) = bounds(shown(session), axis, place) else {
         return;
     };
     let drawing = Drawing {
@@ -205,6 +205,20 @@ pub fn draw(session: &Session, outlines: &[Outline], axis: Axis, place: Rect, bu
         .paint(|context| drawing.paint(context))
         .render(place, buffer);
     legend(place, buffer);
+}
+
+/// The extent of the tree, and the current ray whatever it brings; but not the light that an L ray goes to.
+fn shown(session: &Session) -> Aabb {
+    let Some(id) = session.node() else {
+        return session.extent;
+    };
+    let node = session.tree().node(id);
+    let ray = Ray::new(node.sent.origin, node.sent.direction);
+    let end = match node.outcome {
+        Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => ray.at(hit.t),
+        _ => ray.origin,
+    };
+    session.extent.union(Aabb::around([ray.origin, end]))
 }
 
 /// The part of the plane that is drawn: the extent in the middle, with dots as wide as high. `None` if there is

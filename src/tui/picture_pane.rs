@@ -9,8 +9,9 @@ use ratatui::style::{Color, Modifier, Style};
 use super::app::App;
 use super::layout::{Panes, inside};
 use super::picture::Window;
-use super::theme::{self, ColorLevel};
+use super::theme;
 use crate::math::Rgb;
+use crate::tracer::picture::ColorLevel;
 use crate::tracer::picture::text::ramp;
 
 /// Which pixel lies where.
@@ -131,12 +132,11 @@ fn paint(cell: &mut ratatui::buffer::Cell, upper: Option<Rgb>, lower: Option<Rgb
 
 /// The mean brightness of two pixels as a letter.
 fn letter(upper: Option<Rgb>, lower: Option<Rgb>) -> char {
-    let known: Vec<Rgb> = [upper, lower].into_iter().flatten().collect();
-    if known.is_empty() {
-        return ' ';
+    match (upper, lower) {
+        (None, None) => ' ',
+        (Some(one), None) | (None, Some(one)) => ramp(one),
+        (Some(upper), Some(lower)) => ramp((upper + lower) * 0.5),
     }
-    let sum = known.iter().fold(Rgb::BLACK, |sum, c| sum + *c);
-    ramp(sum * (1.0 / known.len() as f64))
 }
 
 /// Points at the pixel under the cursor from its four sides. The pixel itself stays as it is; left and right, the
@@ -151,7 +151,12 @@ fn mark(app: &App, placement: &Placement, buffer: &mut Buffer) {
         ['▗', '▖']
     };
     let plain = app.options.color == ColorLevel::Never;
-    let marks = [(-1, 0, left), (1, 0, right), (0, -1, '╻'), (0, 1, '╹')];
+    let mut marks = vec![(-1, 0, left), (1, 0, right), (0, -1, '╻'), (0, 1, '╹')];
+    // Where pixels lie one to one there is room for a larger cross.
+    if placement.scale == 1.0 {
+        marks.extend([(-2, 0, '━'), (2, 0, '━'), (-3, 0, '━'), (3, 0, '━')]);
+        marks.extend([(0, -2, '┃'), (0, 2, '┃')]);
+    }
     for (dx, dy, mark) in marks {
         let Ok(at) = u16::try_from(x + dx).and_then(|x| Ok((x, u16::try_from(y + dy)?))) else {
             continue;

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::rows::Rows;
 use crate::geometry::Aabb;
-use crate::math::Ray;
-use crate::probe::Event;
+use crate::math::{DVec3, Ray};
+use crate::probe::{Event, RayKind};
 use crate::scene::{Settings, World};
 use crate::trace::{Cursor, Outcome, PixelTrace, RayTree, View, trace_pixel};
 
@@ -36,17 +36,17 @@ impl Session {
     pub fn new(world: Arc<World>, settings: Settings, at: (u32, u32)) -> Self {
         let trace = trace_pixel(&world, &settings, at, true);
         let rows = Rows::new(&trace.tree);
-        let extent = extent(&world, &trace.tree);
         let mut session = Self {
             world,
             settings,
             trace,
             rows,
-            extent,
+            extent: Aabb::EMPTY,
             scroll: 0,
             cursor: Cursor::start(),
             steps: 0..0,
         };
+        session.extent = extent(session.view());
         session.go(Cursor::start());
         session
     }
@@ -164,28 +164,33 @@ fn steps(tree: &RayTree, first: usize) -> Range<usize> {
     first..first + rest.iter().take_while(is_step).count()
 }
 
-/// A box around all places where rays start and end, and around what they hit if that is not much larger.
-fn extent(world: &World, tree: &RayTree) -> Aabb {
-    let nodes = &tree.nodes[..tree.nodes.len().min(MAX_DRAWN)];
-    let ends = nodes.iter().filter_map(|node| {
-        let t = match node.outcome? {
-            Outcome::Hit(hit) | Outcome::Blocked(hit) => hit.t,
-            Outcome::Lit if node.sent.t_max.is_finite() => node.sent.t_max,
-            Outcome::Lit | Outcome::Miss => return None,
-        };
-        Some(Ray::new(node.sent.origin, node.sent.direction).at(t))
+/// The least share of the pixel of a ray that the drawing of the path makes room for.
+const VISIBLE_SHARE: f64 = 0.01;
+
+/// A box around the paths that matter to the pixel, and around what they hit if that is not much larger. Lights may
+/// be far away: rays to them leave the drawing.
+fn extent(view: View) -> Aabb {
+    let tree = &view.trace.tree;
+    let nodes = (0..tree.nodes.len().min(MAX_DRAWN) as u32).filter(|id| {
+        let node = tree.node(*id);
+        node.sent.kind != RayKind::Light
+            && (node.parent.is_none() || view.share(*id) >= VISIBLE_SHARE)
     });
-    let origins = nodes.iter().map(|node| node.sent.origin);
-    let points = Aabb::around(origins.chain(ends));
-    let mut all = points;
-    for node in nodes {
-        if let Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) = node.outcome
-            && let Some(bounds) = world.scene.shapes[hit.primitive as usize].bounds()
-            && bounds.size().length() < points.size().length()
-        {
-            all = all.union(bounds);
+    let (mut points, mut met) = (Aabb::EMPTY, Vec::new());
+    for id in nodes {
+        let node = tree.node(id);
+        points = points.union(Aabb::around([node.sent.origin]));
+        if let Some(Outcome::Hit(hit)) = node.outcome {
+            let ray = Ray::new(node.sent.origin, node.sent.direction);
+            points = points.union(Aabb::around([ray.at(hit.t)]));
+            met.push(hit.primitive);
         }
     }
+    let shapes = met.iter().filter_map(|primitive| {
+        let bounds = view.world.scene.shapes.get(*primitive as usize)?.bounds()?;
+        (bounds.size().length() < points.size().length()).then_some(bounds)
+    });
+    let all = shapes.fold(points, Aabb::union);
     let margin = 0.05 * all.size().length().max(0.1);
-    all.padded(crate::math::DVec3::splat(margin))
+    all.padded(DVec3::splat(margin))
 }

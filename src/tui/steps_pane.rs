@@ -91,7 +91,7 @@ fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
     let choice = match visit.choice {
         Choice::Leaf => " leaf".to_owned(),
         Choice::Both => format!(": near {near}, then far {far}"),
-        Choice::BothInDoubt => format!(": near {near}, then far {far}, in doubt"),
+        Choice::BothInDoubt => format!(": near {near}, then far {far}, both in doubt"),
         Choice::NearSplitBeyond => format!(": near {near}; far {far} skipped, beyond the interval"),
         Choice::NearRunsAway => format!(": near {near}; far {far} skipped, runs away from it"),
         Choice::FarSplitBefore => format!(": far {far}; near {near} skipped, before the interval"),
@@ -136,8 +136,7 @@ fn tested(session: &Session, primitive: u32, verdict: Verdict, t: f64) -> Vec<Sp
     let scene = &session.world.scene;
     let name = &scene.object_of(primitive).name;
     let number = scene.local_index(primitive);
-    let kind = scene.shapes[primitive as usize].kind();
-    let text = format!("  test {name} {kind} {number}: ");
+    let text = format!("  test {name} {number}: ");
     let result = match verdict {
         Verdict::Hit => Span::raw(format!("hit at t {}", short(t))).bold(),
         Verdict::Miss => Span::styled("miss", theme::dim()),

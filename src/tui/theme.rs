@@ -9,7 +9,7 @@ use ratatui::text::Span;
 
 use crate::math::Rgb;
 use crate::probe::RayKind;
-pub use crate::tracer::picture::ColorLevel;
+use crate::tracer::picture::ColorLevel;
 use crate::tracer::picture::text::{nearest_of_256, ramp};
 
 /// What stands before the current row.

@@ -8,11 +8,12 @@ use ratatui::text::{Line, Span};
 use super::draw::write;
 use super::rows::{Row, Rows};
 use super::session::Session;
-use super::theme::{self, ColorLevel};
+use super::theme;
 use crate::math::Rgb;
 use crate::probe::{Event, RayKind};
 use crate::trace::explain::num;
 use crate::trace::{Node, Outcome};
+use crate::tracer::picture::ColorLevel;
 
 /// Columns that a level of the tree takes.
 const INDENT: usize = 2;
@@ -179,7 +180,7 @@ fn absence(session: &Session, row: Row) -> String {
             } else {
                 format!(" to {name}")
             };
-            format!("no {}{to}: {}", kind.letter(), reason.name())
+            format!(" no {}{to}: {}", kind.letter(), reason.name())
         }
         _ => String::new(),
     }
