@@ -64,7 +64,12 @@ impl fmt::Display for SceneError {
             text += &format!(": {}", self.field);
         }
         text += &format!(": {}", self.problem.what);
-        write!(f, "{}\n  {}", printable(&text), printable(&self.problem.cure))
+        write!(
+            f,
+            "{}\n  {}",
+            printable(&text),
+            printable(&self.problem.cure)
+        )
     }
 }
 

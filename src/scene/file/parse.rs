@@ -102,10 +102,7 @@ fn problem(what: &str, word: &str, field: &str) -> Problem {
             "the number is too large".to_string(),
             "write a number between -1e12 and 1e12",
         ),
-        _ if starts("recursion limit") => (
-            "the file is nested too deeply".to_string(),
-            TOO_DEEP,
-        ),
+        _ if starts("recursion limit") => ("the file is nested too deeply".to_string(), TOO_DEEP),
         _ if starts("trailing comma") => (
             "there is a comma before a closing bracket".to_string(),
             "take the comma away: in JSON it stands only between two things",

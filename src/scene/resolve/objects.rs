@@ -370,7 +370,10 @@ fn header<'a>(
 
 /// Refuses what lies too far away, after all transforms.
 fn near(p: DVec3, place: &Place) -> Result<(), SceneError> {
-    if p.abs().cmple(DVec3::splat(MAX_COORDINATE * 1.000_001)).all() {
+    if p.abs()
+        .cmple(DVec3::splat(MAX_COORDINATE * 1.000_001))
+        .all()
+    {
         return Ok(());
     }
     Err(place.wrap(Problem::new(
