@@ -6,7 +6,10 @@ const SCENES: [(&str, &str); 9] = [
     ("triangle", include_str!("../../scenes/triangle.json")),
     ("mirrors", include_str!("../../scenes/mirrors.json")),
     ("glass-block", include_str!("../../scenes/glass-block.json")),
-    ("nested-glass", include_str!("../../scenes/nested-glass.json")),
+    (
+        "nested-glass",
+        include_str!("../../scenes/nested-glass.json"),
+    ),
     ("shadows", include_str!("../../scenes/shadows.json")),
     ("room", include_str!("../../scenes/room.json")),
     ("teapot", include_str!("../../scenes/teapot.json")),

@@ -55,7 +55,8 @@ fn unknown(spec: &str) -> Problem {
             "rename the file if it is one of these",
         );
     }
-    let guess = nearest(spec, names).map_or(String::new(), |near| format!("did you mean `{near}`? "));
+    let guess =
+        nearest(spec, names).map_or(String::new(), |near| format!("did you mean `{near}`? "));
     Problem::new(
         "there is no built-in scene of this name",
         format!("{guess}Built in: {listed}; or give a file that ends in .json or .obj"),

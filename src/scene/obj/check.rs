@@ -206,7 +206,9 @@ fn index(corner: &str, part: &str, what: &str, count: usize) -> Result<(), Probl
             if count == 0 {
                 "list them before the faces that use them".to_string()
             } else {
-                format!("write a number from 1 to {count}, or from -1 to -{count} to count backwards")
+                format!(
+                    "write a number from 1 to {count}, or from -1 to -{count} to count backwards"
+                )
             },
         ));
     }
@@ -225,7 +227,12 @@ mod tests {
 
     #[test]
     fn good_lines_pass() {
-        for line in ["f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//-1 -1//1", "f 1/1/1 2/1/1 3/1/1 # end"] {
+        for line in [
+            "f 1 2 3",
+            "f 1/1 2/1 3/1",
+            "f 1//1 2//-1 -1//1",
+            "f 1/1/1 2/1/1 3/1/1 # end",
+        ] {
             assert_eq!(error(line), None, "{line}");
         }
     }
@@ -233,10 +240,26 @@ mod tests {
     #[test]
     fn bad_lines_are_told_by_number() {
         for line in [
-            "f", "f 0 1 2", "f 1 2 4", "f 1 2 -4", "f 1 2 99999999999999999999", "f 1 2 x",
-            "f 1/2 2/1 3/1", "f 1//9223372036854775807 2//1 3//1", "f 1/1/1/1 2 3", "f / / /",
-            "v nan 0 0", "v 0 inf 0", "v 0 0 1e39", "v 0 0", "v 0 0 0 0", "v 0,5 0 0", "vn 0 0",
-            "vt 0", "f 1 2 \\", "usemtl",
+            "f",
+            "f 0 1 2",
+            "f 1 2 4",
+            "f 1 2 -4",
+            "f 1 2 99999999999999999999",
+            "f 1 2 x",
+            "f 1/2 2/1 3/1",
+            "f 1//9223372036854775807 2//1 3//1",
+            "f 1/1/1/1 2 3",
+            "f / / /",
+            "v nan 0 0",
+            "v 0 inf 0",
+            "v 0 0 1e39",
+            "v 0 0",
+            "v 0 0 0 0",
+            "v 0,5 0 0",
+            "vn 0 0",
+            "vt 0",
+            "f 1 2 \\",
+            "usemtl",
         ] {
             assert_eq!(error(line), Some(6), "{line}");
         }

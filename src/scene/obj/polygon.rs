@@ -15,9 +15,8 @@ pub fn triangulate(corners: &[DVec3]) -> Vec<[usize; 3]> {
             let n = left.len();
             let ear = (0..n).find(|&i| {
                 let (a, b, c) = (left[(i + n - 1) % n], left[i], left[(i + 1) % n]);
-                let covers = |p: usize| {
-                    turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0
-                };
+                let covers =
+                    |p: usize| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
                 // A corner in the same place as one of the ear's own is in nobody's way.
                 let other = |p: usize| [a, b, c].iter().all(|&q| flat[p] != flat[q]);
                 turn(a, b, c) > 0.0 && !left.iter().any(|&p| other(p) && covers(p))
@@ -78,13 +77,17 @@ mod tests {
     #[test]
     fn a_concave_polygon_is_covered_once() {
         // An arrow head that points left, from each of its corners: a fan covers too much from some of them.
-        let arrow = [[0.0, 0.0], [2.0, -1.0], [1.0, 0.0], [2.0, 1.0]].map(|[x, y]| DVec3::new(x, 5.0, -y));
+        let arrow =
+            [[0.0, 0.0], [2.0, -1.0], [1.0, 0.0], [2.0, 1.0]].map(|[x, y]| DVec3::new(x, 5.0, -y));
         for turn in 0..4 {
             let mut corners = arrow;
             corners.rotate_left(turn);
             let triangles = triangulate(&corners);
             assert_eq!(triangles.len(), 2);
-            assert!((area(&corners, &triangles) - 1.0).abs() < 1e-12, "{turn}: {triangles:?}");
+            assert!(
+                (area(&corners, &triangles) - 1.0).abs() < 1e-12,
+                "{turn}: {triangles:?}"
+            );
         }
     }
 

@@ -117,7 +117,10 @@ mod tests {
         assert_eq!(turned, DVec3::new(13.0, 2.0, -1.0));
         let shifted = apply(&format!("[{shift}, {turn}]"), p);
         assert_eq!(shifted, DVec3::new(3.0, 2.0, -11.0));
-        assert_eq!(apply(r#"[{"scale": 2}, {"scale": [1, -1, 0.5]}]"#, p), DVec3::new(2.0, -4.0, 3.0));
+        assert_eq!(
+            apply(r#"[{"scale": 2}, {"scale": [1, -1, 0.5]}]"#, p),
+            DVec3::new(2.0, -4.0, 3.0)
+        );
         let rows = r#"[{"matrix": [[0, 1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7]]}]"#;
         assert_eq!(apply(rows, p), DVec3::new(7.0, 7.0, 10.0));
         assert_eq!(apply("[]", p), p);

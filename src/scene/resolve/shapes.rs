@@ -76,10 +76,19 @@ mod tests {
         };
         assert_eq!((s.center, s.radius), (DVec3::X * 2.0, 2.0));
         let stretched = map(DAffine3::from_scale(DVec3::new(1.0, 2.0, 1.0)));
-        assert!(matches!(sphere(unit, Some(&stretched), false), Shape::Placed(_)));
+        assert!(matches!(
+            sphere(unit, Some(&stretched), false),
+            Shape::Placed(_)
+        ));
         let turned = map(DAffine3::from_rotation_y(1.0));
-        assert!(matches!(sphere(unit, Some(&turned), false), Shape::Sphere(_)));
-        assert!(matches!(sphere(unit, Some(&turned), true), Shape::Placed(_)));
+        assert!(matches!(
+            sphere(unit, Some(&turned), false),
+            Shape::Sphere(_)
+        ));
+        assert!(matches!(
+            sphere(unit, Some(&turned), true),
+            Shape::Placed(_)
+        ));
 
         let bounds = Aabb::around([DVec3::ZERO, DVec3::ONE]);
         assert!(matches!(cuboid(bounds, Some(&turned)), Shape::Placed(_)));
@@ -87,6 +96,9 @@ mod tests {
         let Shape::Cuboid(c) = cuboid(bounds, Some(&flipped)) else {
             panic!("along the axes")
         };
-        assert_eq!((c.bounds.min, c.bounds.max), (DVec3::new(-2.0, 0.0, 0.0), DVec3::new(0.0, 1.0, 1.0)));
+        assert_eq!(
+            (c.bounds.min, c.bounds.max),
+            (DVec3::new(-2.0, 0.0, 0.0), DVec3::new(0.0, 1.0, 1.0))
+        );
     }
 }
