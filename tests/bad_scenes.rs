@@ -776,3 +776,32 @@ fn mirrored_meshes_keep_their_front() {
     let data = scene.objects[0].vertices.as_ref().expect("normals");
     assert!(data.normal(0, [0.2, 0.3, 0.5]).expect("normals").z > 0.99);
 }
+
+#[test]
+fn obj_faces_without_normals_stay_flat_beside_those_with() {
+    let text = format!("{CORNERS}vn 0 0.6 0.8\no a\nf 1//1 2//1 3//1\nf 1 2 3\no b\nf 1 2 3\n");
+    let scene = with_obj(&text.replace('\n', "\r\n")).expect("a good model");
+    let normal = |object: usize, triangle| {
+        let data = scene.objects[object].vertices.as_ref()?;
+        data.normal(triangle, [0.5, 0.25, 0.25])
+    };
+    assert!(normal(0, 0).is_some_and(|n| (n.y - 0.6).abs() < 1e-15));
+    assert_eq!(normal(0, 1), None);
+    assert_eq!(normal(1, 0), None);
+}
+
+#[test]
+fn obj_concave_faces_are_covered_once() {
+    // A fan from the first corner would also cover what lies outside of the notch.
+    let scene = with_obj("v 2 -1 0\nv 1 0 0\nv 2 1 0\nv 0 0 0\nf 1 2 3 4\n").expect("a good model");
+    let area = |shape: &raytree::geometry::Shape| match shape {
+        raytree::geometry::Shape::Triangle(t) => {
+            let [a, b, c] = t.corners;
+            (b - a).cross(c - a).length() / 2.0
+        }
+        _ => panic!("a triangle"),
+    };
+    let total: f64 = scene.shapes.iter().map(area).sum();
+    assert!((total - 1.0).abs() < 1e-12, "{total}");
+    assert_eq!(scene.warnings, [""; 0]);
+}
