@@ -1,17 +1,20 @@
 //! The command line: one file a command.
 
+mod color;
 mod output;
 mod render;
 mod scenes;
 mod schema;
 mod settings;
 mod trace;
+mod view;
 
 use std::io;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
+use color::ColorArg;
 pub use output::Failure;
 
 /// What a command came to, if nothing was wrong.
@@ -40,6 +43,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Open the debugger: pick a pixel, step through its ray tree
+    View(view::View),
     /// Render a scene to a PNG file, or as text on the terminal
     Render(render::Render),
     /// Write the ray tree of one pixel
@@ -73,7 +78,8 @@ pub fn main() -> ExitCode {
 
 fn run(cli: Cli) -> Result<Done, Failure> {
     match cli.command {
-        None => Ok(Done::Whole),
+        None => view::View::default().run(),
+        Some(Command::View(command)) => command.run(),
         Some(Command::Render(command)) => command.run(),
         Some(Command::Trace(command)) => command.run(),
         Some(Command::Scenes(command)) => command.run(),

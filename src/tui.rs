@@ -20,6 +20,8 @@ mod rows;
 mod session;
 mod steps_pane;
 mod terminal;
+#[cfg(test)]
+mod tests;
 mod theme;
 mod tree_pane;
 

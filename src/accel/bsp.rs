@@ -10,7 +10,7 @@
 //! - A shape's hit at t lies within a few roundings of the shape, seen from the ray's point at t: every test is
 //!   backward stable. So a primitive that is hit reaches a cell that the ray is in at t, or is as close to it as
 //!   rounding allows.
-//! - [`Slack`] bounds that closeness, and the traversal treats every plane as that thick.
+//! - `Slack` bounds that closeness, and the traversal treats every plane as that thick.
 
 mod build;
 mod classify;

@@ -6,15 +6,15 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::settings::SceneArgs;
-use super::{Done, Failure, output};
+use super::{ColorArg, Done, Failure, output};
 use crate::probe::Silent;
 use crate::scene::{Settings, World};
 use crate::trace::Counts;
-use crate::tracer::picture::{ColorLevel, png, text};
+use crate::tracer::picture::{png, text};
 use crate::tracer::{Film, Flow, render};
 
 /// What is said when a limit cut a picture short.
@@ -37,20 +37,6 @@ pub struct Render {
     /// Colours of the text picture
     #[arg(long, value_enum, default_value_t = ColorArg::Auto)]
     color: ColorArg,
-}
-
-/// The choice of colours on a terminal.
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ColorArg {
-    /// What the terminal can do; none in a pipe or with NO_COLOR
-    Auto,
-    /// 24 bits
-    Truecolor,
-    /// The palette of xterm
-    #[value(name = "256")]
-    Palette,
-    /// Characters only
-    Never,
 }
 
 impl Render {
@@ -150,22 +136,6 @@ impl Render {
             rays as f64 / seconds / 1e6
         );
         Ok(Done::Whole)
-    }
-}
-
-impl ColorArg {
-    /// The level for standard output.
-    pub fn level(self) -> ColorLevel {
-        match self {
-            Self::Truecolor => ColorLevel::True,
-            Self::Palette => ColorLevel::Palette,
-            Self::Never => ColorLevel::Never,
-            Self::Auto => match supports_color::on(supports_color::Stream::Stdout) {
-                Some(level) if level.has_16m => ColorLevel::True,
-                Some(level) if level.has_256 => ColorLevel::Palette,
-                _ => ColorLevel::Never,
-            },
-        }
     }
 }
 

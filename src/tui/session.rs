@@ -35,6 +35,11 @@ impl Session {
     /// Traces a pixel with all steps through the acceleration structure.
     pub fn new(world: Arc<World>, settings: Settings, at: (u32, u32)) -> Self {
         let trace = trace_pixel(&world, &settings, at, true);
+        Self::of(world, settings, trace)
+    }
+
+    /// The tree of a recording.
+    pub fn of(world: Arc<World>, settings: Settings, trace: PixelTrace) -> Self {
         let rows = Rows::new(&trace.tree);
         let mut session = Self {
             world,

@@ -1,0 +1,50 @@
+//! `raytree view`: the debugger.
+
+use clap::Args;
+
+use super::settings::SceneArgs;
+use super::{ColorArg, Done, Failure};
+use crate::tui::{self, Options};
+
+/// What opens without a scene.
+const DEFAULT_SCENE: &str = "whitted";
+
+#[derive(Args)]
+pub struct View {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Colours
+    #[arg(long, value_enum, default_value_t = ColorArg::Auto)]
+    color: ColorArg,
+    /// Leave the mouse to the terminal, which then selects text with it
+    #[arg(long)]
+    no_mouse: bool,
+}
+
+impl View {
+    pub fn run(&self) -> Result<Done, Failure> {
+        let (world, settings) = self.scene.load()?;
+        let options = Options {
+            scene: self.scene.scene.clone(),
+            color: self.color.level(),
+            mouse: !self.no_mouse,
+            threads: self.scene.settings.threads,
+            size: self.scene.settings.size,
+        };
+        tui::run(world, settings, options).map_err(Failure::Terminal)?;
+        Ok(Done::Whole)
+    }
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            scene: SceneArgs {
+                scene: DEFAULT_SCENE.to_owned(),
+                settings: Default::default(),
+            },
+            color: ColorArg::Auto,
+            no_mouse: false,
+        }
+    }
+}
