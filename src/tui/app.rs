@@ -1,7 +1,7 @@
 //! The state of the debugger, and how actions change it. Drawing (see [`super::draw`]) only reads it.
 
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use ratatui::layout::{Position, Rect};
 
@@ -15,6 +15,9 @@ use super::session::Session;
 use super::{details, help, path_pane, picture_pane, steps_pane, tree_pane};
 use crate::scene::{Settings, World};
 use crate::trace::Cursor;
+
+/// How long Enter waits for the tree before other keys have their turn.
+const AT_ONCE: Duration = Duration::from_millis(30);
 
 /// What lies over the panes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -241,10 +244,18 @@ impl App {
         }
     }
 
+    /// Traces the pixel under the cursor. Most are done at once, so that keys typed ahead mean what they should; for
+    /// others a spinner turns.
     fn open(&mut self) {
-        self.waiting = Some(Instant::now());
+        let start = Instant::now();
+        self.waiting = Some(start);
         self.renderer
             .trace(&self.world, self.settings, self.picture.cursor);
+        while self.renderer.is_tracing() && start.elapsed() < AT_ONCE {
+            if !self.receive() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+        }
     }
 
     fn accept(&mut self) {

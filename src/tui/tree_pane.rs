@@ -160,7 +160,9 @@ fn lit(session: &Session, id: u32) -> Rgb {
 }
 
 fn num3(x: f64) -> String {
-    if (1e-3..1e5).contains(&x) {
+    if x.is_infinite() {
+        "∞".to_owned()
+    } else if (1e-3..1e5).contains(&x) {
         format!("{x:.3}")
     } else {
         num(x)
