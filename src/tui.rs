@@ -32,7 +32,7 @@ use crossterm::event;
 
 use crate::scene::{Settings, World};
 use crate::tracer::picture::ColorLevel;
-use app::App;
+use app::{App, Wish};
 use terminal::Screen;
 
 /// What the command line chooses.
@@ -87,7 +87,7 @@ pub fn run(world: World, settings: Settings, options: Options) -> io::Result<()>
 
 fn main_loop(screen: &mut Screen, app: &mut App) -> io::Result<()> {
     let (mut drawn, mut changed) = (None::<Instant>, true);
-    while !(app.quit || screen.is_told_to_stop() || Screen::has_panicked()) {
+    while !(app.wish == Wish::Quit || screen.is_told_to_stop() || Screen::has_panicked()) {
         // A key is answered at once; the background may wait for the next frame.
         let due = drawn.is_none_or(|drawn| drawn.elapsed() >= FRAME);
         if changed && due {
@@ -101,12 +101,13 @@ fn main_loop(screen: &mut Screen, app: &mut App) -> io::Result<()> {
                 answer |= input::handle(app, &event);
             }
         }
-        if std::mem::take(&mut app.suspend) {
+        if app.wish == Wish::Suspend {
+            app.wish = Wish::Stay;
             screen.suspend()?;
             answer = true;
         }
         changed |= app.receive() | app.waiting.is_some();
-        if answer && !app.quit {
+        if answer && app.wish != Wish::Quit {
             screen.draw(app)?;
             (drawn, changed) = (Some(Instant::now()), false);
         }

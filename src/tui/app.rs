@@ -28,6 +28,18 @@ pub enum Overlay {
     GoTo(String),
 }
 
+/// What the debugger wants of the program around it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Wish {
+    /// To go on.
+    #[default]
+    Stay,
+    /// To be stopped until the shell says `fg`.
+    Suspend,
+    /// To end.
+    Quit,
+}
+
 /// Everything that a screen shows is in here.
 pub struct App {
     /// The scene and its accelerator.
@@ -60,10 +72,8 @@ pub struct App {
     pub message: Option<String>,
     /// True if the mouse is caught.
     pub mouse: bool,
-    /// True when it is time to stop until the shell says `fg`.
-    pub suspend: bool,
-    /// True when it is time to go.
-    pub quit: bool,
+    /// What the main loop is asked to do next.
+    pub wish: Wish,
     renderer: Renderer,
 }
 
@@ -98,8 +108,7 @@ impl App {
             zoom: false,
             axis: Axis::Side,
             message: None,
-            suspend: false,
-            quit: false,
+            wish: Wish::Stay,
         };
         app.fit();
         app.picture.cursor = (app.picture.size.0 / 2, app.picture.size.1 / 2);
@@ -113,8 +122,8 @@ impl App {
     pub fn handle(&mut self, action: Action) {
         self.message = None;
         match action {
-            Action::Quit => self.quit = true,
-            Action::Suspend => self.suspend = true,
+            Action::Quit => self.wish = Wish::Quit,
+            Action::Suspend => self.wish = Wish::Suspend,
             Action::Back => self.back(),
             Action::Help => {
                 self.overlay = match self.overlay {
@@ -240,7 +249,7 @@ impl App {
         } else if self.session.take().is_some() {
             self.refit();
         } else {
-            self.quit = true;
+            self.wish = Wish::Quit;
         }
     }
 

@@ -298,13 +298,7 @@ impl Drawing<'_> {
     }
 
     fn line(&self, context: &mut Context, a: DVec3, b: DVec3, color: Color) {
-        self.stroke(context, self.axis.flat(a), self.axis.flat(b), color);
-    }
-
-    fn stroke(&self, context: &mut Context, a: [f64; 2], b: [f64; 2], color: Color) {
-        if [a, b].concat().iter().all(|v| v.is_finite()) {
-            context.draw(&Stroke::new(a[0], a[1], b[0], b[1], color));
-        }
+        stroke(context, self.axis.flat(a), self.axis.flat(b), color);
     }
 
     /// The current ray: three dots wide.
@@ -319,7 +313,7 @@ impl Drawing<'_> {
                     [p[0], p[1] + by]
                 }
             };
-            self.stroke(
+            stroke(
                 context,
                 aside(a),
                 aside(b),
@@ -344,7 +338,7 @@ impl Drawing<'_> {
                 }
             }
             Outline::Points(points) => {
-                self.points(context, points.iter().map(|p| self.axis.flat(*p)))
+                dots(context, points.iter().map(|p| self.axis.flat(*p)));
             }
             Outline::Sphere(center, radius) => {
                 let [x, y] = self.axis.flat(*center);
@@ -353,22 +347,11 @@ impl Drawing<'_> {
                     .collect();
                 let next = points.iter().cycle().skip(1);
                 for (a, b) in points.iter().zip(next) {
-                    self.stroke(context, *a, *b, OUTLINE);
+                    stroke(context, *a, *b, OUTLINE);
                 }
             }
             Outline::Plane(n, d) => self.plane(context, *n, *d),
         }
-    }
-
-    fn points(&self, context: &mut Context, points: impl Iterator<Item = [f64; 2]>) {
-        let coords: Vec<_> = points
-            .filter(|p| p.iter().all(|v| v.is_finite()))
-            .map(|[x, y]| (x, y))
-            .collect();
-        context.draw(&Points {
-            coords: &coords,
-            color: OUTLINE,
-        });
     }
 
     /// A plane that is seen from its edge is the line a x + b y = d.
@@ -386,8 +369,26 @@ impl Drawing<'_> {
         let foot = [middle[0] - a * off, middle[1] - b * off];
         let far = (self.x[1] - self.x[0]) + (self.y[1] - self.y[0]);
         let end = |by: f64| [foot[0] - b * by, foot[1] + a * by];
-        self.stroke(context, end(-far), end(far), OUTLINE);
+        stroke(context, end(-far), end(far), OUTLINE);
     }
+}
+
+/// A straight line, if its ends can be drawn at all.
+fn stroke(context: &mut Context, a: [f64; 2], b: [f64; 2], color: Color) {
+    if [a, b].concat().iter().all(|v| v.is_finite()) {
+        context.draw(&Stroke::new(a[0], a[1], b[0], b[1], color));
+    }
+}
+
+fn dots(context: &mut Context, points: impl Iterator<Item = [f64; 2]>) {
+    let coords: Vec<_> = points
+        .filter(|p| p.iter().all(|v| v.is_finite()))
+        .map(|[x, y]| (x, y))
+        .collect();
+    context.draw(&Points {
+        coords: &coords,
+        color: OUTLINE,
+    });
 }
 
 /// What the marks mean, in the frame below.

@@ -114,13 +114,11 @@ fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
 /// x = d across an axis, else the normal.
 fn plane_name(n: [f64; 3], d: f64) -> String {
     let axis = (0..3).find(|i| n[*i].abs() == 1.0);
-    match axis {
-        Some(i) => format!("{} = {}", ["x", "y", "z"][i], short(d * n[i] + 0.0)),
-        None => {
-            let [x, y, z] = n.map(short);
-            format!("({x}, {y}, {z}).p = {}", short(d))
-        }
+    if let Some(i) = axis {
+        return format!("{} = {}", ["x", "y", "z"][i], short(d * n[i] + 0.0));
     }
+    let [x, y, z] = n.map(short);
+    format!("({x}, {y}, {z}).p = {}", short(d))
 }
 
 /// A shape: crossed or not, and where.

@@ -11,7 +11,7 @@ use ratatui::style::Color;
 
 use super::Options;
 use super::actions::{ACTIONS, Action, Context};
-use super::app::{App, Mouse};
+use super::app::{App, Mouse, Wish};
 use super::input::press;
 use super::layout::Pane;
 use super::session::Session;
@@ -70,8 +70,12 @@ fn buffer(app: &App) -> Buffer {
 fn text(app: &App) -> String {
     let buffer = buffer(app);
     let width = usize::from(buffer.area.width).max(1);
-    let line =
-        |cells: &[ratatui::buffer::Cell]| cells.iter().map(|c| c.symbol()).collect::<String>();
+    let line = |cells: &[ratatui::buffer::Cell]| {
+        cells
+            .iter()
+            .map(ratatui::buffer::Cell::symbol)
+            .collect::<String>()
+    };
     buffer
         .content
         .chunks(width)
@@ -155,9 +159,9 @@ fn a_pixel_is_picked_and_its_tree_walked() {
         text(&app)
     );
     key(&mut app, KeyCode::Esc);
-    assert!(app.session.is_none() && !app.quit);
+    assert!(app.session.is_none() && app.wish == Wish::Stay);
     key(&mut app, KeyCode::Esc);
-    assert!(app.quit);
+    assert_eq!(app.wish, Wish::Quit);
 }
 
 #[test]
@@ -194,7 +198,7 @@ fn every_key_does_something_and_is_in_the_help() {
                 let before = buffer(&app);
                 assert!(press(&mut app, key.event()), "{label} is not known");
                 settle(&mut app);
-                app.quit || app.suspend || buffer(&app) != before
+                app.wish != Wish::Stay || buffer(&app) != before
             });
             assert!(did, "{label} ({action:?}) does nothing");
         }
@@ -482,7 +486,7 @@ fn a_million_rays_step_and_scroll_without_lag() {
     let session = Session::of(app.world.clone(), app.settings, trace);
     app.session = Some(Box::new(session));
     let middle = app.session.as_ref().map_or(0, |s| s.rows.len() / 2);
-    app.handle(Action::Rows(middle as i32));
+    app.handle(Action::Rows(i32::try_from(middle).expect("it fits")));
     let start = Instant::now();
     let mut frames = 0;
     for action in [
