@@ -109,6 +109,7 @@ pub struct Placed {
 
 impl Shape {
     /// Where `ray` first crosses the shape inside `interval`. `shear` is [`Shear::new`] of the same ray.
+    #[inline]
     pub fn intersect(&self, ray: &Ray, shear: &Shear, interval: Interval) -> Intersection {
         match self {
             Self::Triangle(triangle) => triangle.intersect(shear, interval),

@@ -27,6 +27,7 @@ impl Media {
 
     /// The media after the ray went into `object`.
     #[must_use]
+    #[inline]
     pub fn entered(mut self, object: u32) -> Self {
         if self.depth == NESTING {
             self.objects.rotate_left(1);
@@ -40,6 +41,7 @@ impl Media {
     /// The media after the ray came out of `object`: its innermost entry goes, wherever it stands, so that objects
     /// that overlap are left in any order. Nothing changes if the ray was not inside.
     #[must_use]
+    #[inline]
     pub fn left(mut self, object: u32) -> Self {
         if let Some(i) = self.objects[..self.depth]
             .iter()

@@ -19,6 +19,7 @@ pub struct Pixel {
 
 /// Traces pixel (x, y) and tells `probe` of everything that happens. The one way to a pixel's colour: with any probe,
 /// on any thread, it is the same bit for bit.
+#[inline]
 pub fn pixel<P: Probe>(
     world: &World,
     settings: &Settings,
