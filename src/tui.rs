@@ -10,8 +10,11 @@ mod bars;
 mod details;
 mod draw;
 mod help;
+mod image;
 mod input;
 mod layout;
+mod mouse;
+mod outline;
 mod path_pane;
 mod picture;
 mod picture_pane;
@@ -20,6 +23,8 @@ mod rows;
 mod session;
 mod steps_pane;
 mod terminal;
+#[cfg(test)]
+mod tests;
 mod theme;
 mod tree_pane;
 
@@ -30,7 +35,7 @@ use crossterm::event;
 
 use crate::scene::{Settings, World};
 use crate::tracer::picture::ColorLevel;
-use app::App;
+use app::{App, Wish};
 use terminal::Screen;
 
 /// What the command line chooses.
@@ -85,7 +90,7 @@ pub fn run(world: World, settings: Settings, options: Options) -> io::Result<()>
 
 fn main_loop(screen: &mut Screen, app: &mut App) -> io::Result<()> {
     let (mut drawn, mut changed) = (None::<Instant>, true);
-    while !(app.quit || screen.is_told_to_stop() || Screen::has_panicked()) {
+    while !(app.wish == Wish::Quit || screen.is_told_to_stop() || Screen::has_panicked()) {
         // A key is answered at once; the background may wait for the next frame.
         let due = drawn.is_none_or(|drawn| drawn.elapsed() >= FRAME);
         if changed && due {
@@ -99,12 +104,13 @@ fn main_loop(screen: &mut Screen, app: &mut App) -> io::Result<()> {
                 answer |= input::handle(app, &event);
             }
         }
-        if std::mem::take(&mut app.suspend) {
+        if app.wish == Wish::Suspend {
+            app.wish = Wish::Stay;
             screen.suspend()?;
             answer = true;
         }
         changed |= app.receive() | app.waiting.is_some();
-        if answer && !app.quit {
+        if answer && app.wish != Wish::Quit {
             screen.draw(app)?;
             (drawn, changed) = (Some(Instant::now()), false);
         }

@@ -1,20 +1,24 @@
 //! The state of the debugger, and how actions change it. Drawing (see [`super::draw`]) only reads it.
 
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use ratatui::layout::{Position, Rect};
+use ratatui::layout::Rect;
 
 use super::Options;
 use super::actions::{Action, Context};
 use super::layout::{Pane, Panes, Shown, inside};
-use super::path_pane::{Axis, Outline};
+use super::outline::{self, Outline};
+use super::path_pane::Axis;
 use super::picture::Picture;
 use super::renderer::{News, Renderer};
 use super::session::Session;
-use super::{details, help, path_pane, picture_pane, steps_pane, tree_pane};
+use super::{details, help};
 use crate::scene::{Settings, World};
 use crate::trace::Cursor;
+
+/// How long Enter waits for the tree before other keys have their turn.
+const AT_ONCE: Duration = Duration::from_millis(30);
 
 /// What lies over the panes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,6 +27,18 @@ pub enum Overlay {
     Help(u16),
     /// The number of an event is typed.
     GoTo(String),
+}
+
+/// What the debugger wants of the program around it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Wish {
+    /// To go on.
+    #[default]
+    Stay,
+    /// To be stopped until the shell says `fg`.
+    Suspend,
+    /// To end.
+    Quit,
 }
 
 /// Everything that a screen shows is in here.
@@ -57,29 +73,17 @@ pub struct App {
     pub message: Option<String>,
     /// True if the mouse is caught.
     pub mouse: bool,
-    /// True when it is time to stop until the shell says `fg`.
-    pub suspend: bool,
-    /// True when it is time to go.
-    pub quit: bool,
-    renderer: Renderer,
-}
-
-/// Where the mouse was pressed or turned.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mouse {
-    /// Pressed.
-    Press,
-    /// Moved while pressed.
-    Drag,
-    /// The wheel was turned, down by so many notches.
-    Wheel(i32),
+    /// What the main loop is asked to do next.
+    pub wish: Wish,
+    /// Who works in the background.
+    pub renderer: Renderer,
 }
 
 impl App {
     /// The picture of a world on a screen of this size; rendering begins at once.
     pub fn new(world: World, settings: Settings, options: Options, screen: Rect) -> Self {
         let mut app = Self {
-            outlines: path_pane::outlines(&world.scene),
+            outlines: outline::outlines(&world.scene),
             world: Arc::new(world),
             settings,
             renderer: Renderer::new(options.threads),
@@ -95,8 +99,7 @@ impl App {
             zoom: false,
             axis: Axis::Side,
             message: None,
-            suspend: false,
-            quit: false,
+            wish: Wish::Stay,
         };
         app.fit();
         app.picture.cursor = (app.picture.size.0 / 2, app.picture.size.1 / 2);
@@ -110,8 +113,8 @@ impl App {
     pub fn handle(&mut self, action: Action) {
         self.message = None;
         match action {
-            Action::Quit => self.quit = true,
-            Action::Suspend => self.suspend = true,
+            Action::Quit => self.wish = Wish::Quit,
+            Action::Suspend => self.wish = Wish::Suspend,
             Action::Back => self.back(),
             Action::Help => {
                 self.overlay = match self.overlay {
@@ -192,7 +195,7 @@ impl App {
         }
     }
 
-    fn by_rows(&mut self, by: i32) {
+    pub fn by_rows(&mut self, by: i32) {
         let room = inside(self.panes().details);
         let Some(session) = &mut self.session else {
             return;
@@ -237,14 +240,22 @@ impl App {
         } else if self.session.take().is_some() {
             self.refit();
         } else {
-            self.quit = true;
+            self.wish = Wish::Quit;
         }
     }
 
-    fn open(&mut self) {
-        self.waiting = Some(Instant::now());
+    /// Traces the pixel under the cursor. Most are done at once, so that keys typed ahead mean what they should; for
+    /// others a spinner turns.
+    pub fn open(&mut self) {
+        let start = Instant::now();
+        self.waiting = Some(start);
         self.renderer
             .trace(&self.world, self.settings, self.picture.cursor);
+        while self.renderer.is_tracing() && start.elapsed() < AT_ONCE {
+            if !self.receive() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+        }
     }
 
     fn accept(&mut self) {
@@ -267,7 +278,7 @@ impl App {
     }
 
     /// Scrolls the help if it is shown.
-    fn scrolls_help(&mut self, by: i32) -> bool {
+    pub fn scrolls_help(&mut self, by: i32) -> bool {
         let last = help::last_scroll(self.screen);
         let Some(Overlay::Help(scroll)) = &mut self.overlay else {
             return false;
@@ -283,144 +294,6 @@ impl App {
             (_, Some(_)) => Context::Tree,
             (_, None) => Context::Picture,
         }
-    }
-
-    /// The mouse did something at a place on the screen.
-    pub fn point(&mut self, mouse: Mouse, at: Position) {
-        self.message = None;
-        if self.overlay.is_some() {
-            if let Mouse::Wheel(by) = mouse {
-                self.scrolls_help(by);
-            }
-            return;
-        }
-        let panes = self.panes();
-        let Some(pane) = panes.at(at) else {
-            return;
-        };
-        let place = inside(panes.place(pane));
-        match (pane, mouse) {
-            (Pane::Picture, Mouse::Press | Mouse::Drag) => self.pick(mouse, at),
-            (Pane::Picture, Mouse::Wheel(_)) | (_, Mouse::Drag) => {}
-            (_, Mouse::Wheel(by)) => {
-                self.focus = pane;
-                self.by_rows(by);
-            }
-            (_, Mouse::Press) => {
-                self.focus = pane;
-                let Some(session) = &mut self.session else {
-                    return;
-                };
-                if !place.contains(at) {
-                    return;
-                }
-                let line = usize::from(at.y - place.y);
-                if pane == Pane::Tree {
-                    let row = tree_pane::first_row(session, place.height) + line;
-                    let again = row == session.row();
-                    session.go_to_row(row);
-                    if again {
-                        session.toggle();
-                    }
-                } else if pane == Pane::Steps {
-                    let step = steps_pane::first_step(session, place.height) + line;
-                    if session.steps().contains(&step) {
-                        session.go(Cursor::at(session.tree(), step));
-                    }
-                }
-            }
-        }
-    }
-
-    /// A pixel was clicked: the cursor goes there. A second click opens its tree; if one is open, the first does.
-    fn pick(&mut self, mouse: Mouse, at: Position) {
-        let placement = picture_pane::placement(self, &self.panes());
-        let Some(pixel) = placement.pixel(at) else {
-            return;
-        };
-        let again = pixel == self.picture.cursor && mouse == Mouse::Press;
-        self.picture.cursor = pixel;
-        self.moved();
-        if self.session.is_some() || again {
-            self.open();
-        }
-    }
-
-    /// The screen has another size.
-    pub fn resize(&mut self, screen: Rect) {
-        if screen != self.screen {
-            self.screen = screen;
-            self.refit();
-        }
-    }
-
-    /// Fits the image to the screen again and renders it. An open tree keeps the image that it belongs to.
-    fn refit(&mut self) {
-        if self.session.is_none() && self.fit() {
-            self.render();
-            self.look();
-        }
-    }
-
-    /// Gives the image the size of its pane, unless the command line chose one; the cursor stays at the same place of
-    /// the scene. True if anything changed.
-    fn fit(&mut self) -> bool {
-        let pane = Panes::new(self.screen, Shown::Picture).picture;
-        let visible = (
-            u32::from(pane.width).max(1),
-            2 * u32::from(pane.height).max(1),
-        );
-        let size = self.options.size.unwrap_or(visible);
-        let (old, cursor) = (self.picture.size, self.picture.cursor);
-        let fitted = Picture::new(size, visible, (0, 0));
-        let same = |a: &Picture, b: &Picture| {
-            a.size == b.size
-                && a.window.width == b.window.width
-                && a.window.height == b.window.height
-        };
-        if same(&fitted, &self.picture) {
-            return false;
-        }
-        let scaled = |at: u32, old: u32, new: u32| {
-            let middle = (2 * u64::from(at) + 1) * u64::from(new) / (2 * u64::from(old.max(1)));
-            middle as u32
-        };
-        let cursor = (
-            scaled(cursor.0, old.0, fitted.size.0),
-            scaled(cursor.1, old.1, fitted.size.1),
-        );
-        self.picture = Picture::new(size, visible, cursor);
-        (self.settings.width, self.settings.height) = self.picture.size;
-        true
-    }
-
-    fn render(&mut self) {
-        let (window, known) = (self.picture.window, self.picture.known());
-        self.renderer
-            .render(&self.world, self.settings, window, known);
-    }
-
-    /// The cursor is on another pixel.
-    fn moved(&mut self) {
-        if self.waiting.take().is_some() {
-            self.renderer.give_up_trace();
-        }
-        if self.picture.follow() {
-            self.render();
-        }
-        self.look();
-    }
-
-    /// Looks what stands behind the pixel under the cursor.
-    fn look(&mut self) {
-        let seen = crate::trace::seen(&self.world, &self.settings, self.picture.cursor);
-        self.seen = seen.map_or_else(
-            || "nothing: the background".to_owned(),
-            |seen| {
-                let t = crate::trace::explain::num(seen.t);
-                format!("{} ({}) at t = {t}", seen.object, seen.shape)
-            },
-        );
     }
 
     /// Takes in what the background has done by now. True if there was anything.

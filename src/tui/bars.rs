@@ -105,7 +105,7 @@ pub fn rerun(app: &App) -> String {
         app.options.scene
     );
     for (flag, value) in flags(&app.settings, &app.world.scene.settings) {
-        command.push_str(&format!(" --{flag} {value}"));
+        command.extend([" --", flag, " ", &value]);
     }
     command
 }

@@ -9,7 +9,8 @@ use crossterm::event::{
 use ratatui::layout::Rect;
 
 use super::actions::{Context, lookup};
-use super::app::{App, Mouse};
+use super::app::App;
+use super::mouse::Mouse;
 
 /// Events that are taken in at once.
 const MANY: usize = 256;

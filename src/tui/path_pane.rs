@@ -9,25 +9,13 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::Widget;
 use ratatui::widgets::canvas::{Canvas, Context, Line as Stroke, Points};
 
+use super::outline::{Outline, turns};
 use super::session::{MAX_DRAWN, Session};
 use super::theme;
-use crate::geometry::{Aabb, Shape};
+use crate::geometry::Aabb;
 use crate::math::{DVec3, Ray};
 use crate::probe::RayKind;
-use crate::scene::Scene;
 use crate::trace::{Node, Outcome};
-
-/// Objects that are drawn at most.
-const MAX_OBJECTS: usize = 400;
-
-/// Corners that are drawn of a mesh at most.
-const MAX_CORNERS: usize = 600;
-
-/// Objects of at most so many triangles are drawn edge by edge.
-const FEW_TRIANGLES: usize = 64;
-
-/// Points of a circle.
-const CIRCLE: usize = 72;
 
 const OUTLINE: Color = Color::Rgb(120, 120, 120);
 
@@ -61,108 +49,6 @@ impl Axis {
             Self::Side => [-p.z, p.y],
         }
     }
-}
-
-/// An object as the drawing shows it.
-#[derive(Clone, Debug)]
-pub enum Outline {
-    /// Edges.
-    Edges(Vec<[DVec3; 2]>),
-    /// Points of its surface.
-    Points(Vec<DVec3>),
-    /// A sphere: a circle from every side.
-    Sphere(DVec3, f64),
-    /// An endless plane n.p = d: a line if it is seen from its edge, else nothing.
-    Plane(DVec3, f64),
-}
-
-/// The outlines of a scene's objects.
-pub fn outlines(scene: &Scene) -> Vec<Outline> {
-    let starts = scene.objects.iter().map(|o| o.first_primitive as usize);
-    let ends = starts.clone().skip(1).chain([scene.shapes.len()]);
-    starts
-        .zip(ends)
-        .take(MAX_OBJECTS)
-        .filter_map(|(start, end)| scene.shapes.get(start..end))
-        .flat_map(of_object)
-        .collect()
-}
-
-fn of_object(shapes: &[Shape]) -> Vec<Outline> {
-    let triangles = || {
-        shapes.iter().filter_map(|shape| match shape {
-            Shape::Triangle(triangle) => Some(triangle.corners),
-            _ => None,
-        })
-    };
-    let count = triangles().count();
-    let mut outlines: Vec<_> = shapes
-        .iter()
-        .take(MAX_OBJECTS)
-        .filter_map(of_shape)
-        .collect();
-    if count > FEW_TRIANGLES {
-        let step = (3 * count).div_ceil(MAX_CORNERS);
-        outlines.push(Outline::Points(
-            triangles().flatten().step_by(step).collect(),
-        ));
-    } else if count > 0 {
-        let edges = triangles().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
-        outlines.push(Outline::Edges(edges.collect()));
-    }
-    outlines
-}
-
-fn of_shape(shape: &Shape) -> Option<Outline> {
-    match shape {
-        Shape::Triangle(_) => None,
-        Shape::Sphere(sphere) => Some(Outline::Sphere(sphere.center, sphere.radius)),
-        Shape::Plane(plane) => Some(Outline::Plane(
-            plane.normal(),
-            plane.normal().dot(plane.origin()),
-        )),
-        Shape::Cuboid(cuboid) => Some(Outline::Edges(edges(cuboid.bounds.corners()))),
-        Shape::Placed(placed) => {
-            let to_world = |p: &DVec3| placed.transform.point(*p);
-            match of_shape(&placed.shape)? {
-                Outline::Edges(edges) => {
-                    let edges = edges.iter().map(|[a, b]| [to_world(a), to_world(b)]);
-                    Some(Outline::Edges(edges.collect()))
-                }
-                Outline::Sphere(center, radius) => {
-                    // Three great circles tell how a sphere was stretched.
-                    let circles = [
-                        [DVec3::X, DVec3::Y],
-                        [DVec3::Y, DVec3::Z],
-                        [DVec3::Z, DVec3::X],
-                    ];
-                    let points = circles.into_iter().flat_map(|[u, v]| {
-                        turns().map(move |[c, s]| center + radius * (u * c + v * s))
-                    });
-                    let points: Vec<_> = points.collect();
-                    Some(Outline::Points(points.iter().map(to_world).collect()))
-                }
-                _ => Some(Outline::Edges(edges(shape.bounds()?.corners()))),
-            }
-        }
-    }
-}
-
-/// Cosine and sine, once around.
-fn turns() -> impl Iterator<Item = [f64; 2]> {
-    (0..CIRCLE).map(|i| {
-        let angle = std::f64::consts::TAU * i as f64 / CIRCLE as f64;
-        [libm::cos(angle), libm::sin(angle)]
-    })
-}
-
-/// The twelve edges of a box: corners whose numbers differ in one bit.
-fn edges(corners: [DVec3; 8]) -> Vec<[DVec3; 2]> {
-    let pairs = (0..8usize).flat_map(|i| [1, 2, 4].map(|bit| (i, i | bit)));
-    pairs
-        .filter(|(a, b)| a != b)
-        .map(|(a, b)| [corners[a], corners[b]])
-        .collect()
 }
 
 /// Its title: from where, and how space lies.
@@ -298,13 +184,7 @@ impl Drawing<'_> {
     }
 
     fn line(&self, context: &mut Context, a: DVec3, b: DVec3, color: Color) {
-        self.stroke(context, self.axis.flat(a), self.axis.flat(b), color);
-    }
-
-    fn stroke(&self, context: &mut Context, a: [f64; 2], b: [f64; 2], color: Color) {
-        if [a, b].concat().iter().all(|v| v.is_finite()) {
-            context.draw(&Stroke::new(a[0], a[1], b[0], b[1], color));
-        }
+        stroke(context, self.axis.flat(a), self.axis.flat(b), color);
     }
 
     /// The current ray: three dots wide.
@@ -319,7 +199,7 @@ impl Drawing<'_> {
                     [p[0], p[1] + by]
                 }
             };
-            self.stroke(
+            stroke(
                 context,
                 aside(a),
                 aside(b),
@@ -344,7 +224,7 @@ impl Drawing<'_> {
                 }
             }
             Outline::Points(points) => {
-                self.points(context, points.iter().map(|p| self.axis.flat(*p)))
+                dots(context, points.iter().map(|p| self.axis.flat(*p)));
             }
             Outline::Sphere(center, radius) => {
                 let [x, y] = self.axis.flat(*center);
@@ -353,22 +233,11 @@ impl Drawing<'_> {
                     .collect();
                 let next = points.iter().cycle().skip(1);
                 for (a, b) in points.iter().zip(next) {
-                    self.stroke(context, *a, *b, OUTLINE);
+                    stroke(context, *a, *b, OUTLINE);
                 }
             }
             Outline::Plane(n, d) => self.plane(context, *n, *d),
         }
-    }
-
-    fn points(&self, context: &mut Context, points: impl Iterator<Item = [f64; 2]>) {
-        let coords: Vec<_> = points
-            .filter(|p| p.iter().all(|v| v.is_finite()))
-            .map(|[x, y]| (x, y))
-            .collect();
-        context.draw(&Points {
-            coords: &coords,
-            color: OUTLINE,
-        });
     }
 
     /// A plane that is seen from its edge is the line a x + b y = d.
@@ -386,8 +255,26 @@ impl Drawing<'_> {
         let foot = [middle[0] - a * off, middle[1] - b * off];
         let far = (self.x[1] - self.x[0]) + (self.y[1] - self.y[0]);
         let end = |by: f64| [foot[0] - b * by, foot[1] + a * by];
-        self.stroke(context, end(-far), end(far), OUTLINE);
+        stroke(context, end(-far), end(far), OUTLINE);
     }
+}
+
+/// A straight line, if its ends can be drawn at all.
+fn stroke(context: &mut Context, a: [f64; 2], b: [f64; 2], color: Color) {
+    if [a, b].concat().iter().all(|v| v.is_finite()) {
+        context.draw(&Stroke::new(a[0], a[1], b[0], b[1], color));
+    }
+}
+
+fn dots(context: &mut Context, points: impl Iterator<Item = [f64; 2]>) {
+    let coords: Vec<_> = points
+        .filter(|p| p.iter().all(|v| v.is_finite()))
+        .map(|[x, y]| (x, y))
+        .collect();
+    context.draw(&Points {
+        coords: &coords,
+        color: OUTLINE,
+    });
 }
 
 /// What the marks mean, in the frame below.

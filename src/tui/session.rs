@@ -7,7 +7,7 @@ use super::rows::Rows;
 use crate::geometry::Aabb;
 use crate::math::{DVec3, Ray};
 use crate::probe::{Event, RayKind};
-use crate::scene::{Settings, World};
+use crate::scene::{Scene, Settings, World};
 use crate::trace::{Cursor, Outcome, PixelTrace, RayTree, View, trace_pixel};
 
 /// Rays that the drawing of the path shows at most.
@@ -35,6 +35,11 @@ impl Session {
     /// Traces a pixel with all steps through the acceleration structure.
     pub fn new(world: Arc<World>, settings: Settings, at: (u32, u32)) -> Self {
         let trace = trace_pixel(&world, &settings, at, true);
+        Self::of(world, settings, trace)
+    }
+
+    /// The tree of a recording.
+    pub fn of(world: Arc<World>, settings: Settings, trace: PixelTrace) -> Self {
         let rows = Rows::new(&trace.tree);
         let mut session = Self {
             world,
@@ -183,14 +188,29 @@ fn extent(view: View) -> Aabb {
         if let Some(Outcome::Hit(hit)) = node.outcome {
             let ray = Ray::new(node.sent.origin, node.sent.direction);
             points = points.union(Aabb::around([ray.at(hit.t)]));
-            met.push(hit.primitive);
+            met.push(view.world.scene.owners[hit.primitive as usize]);
         }
     }
-    let shapes = met.iter().filter_map(|primitive| {
-        let bounds = view.world.scene.shapes.get(*primitive as usize)?.bounds()?;
-        (bounds.size().length() < points.size().length()).then_some(bounds)
-    });
-    let all = shapes.fold(points, Aabb::union);
+    met.sort_unstable();
+    met.dedup();
+    let objects = met
+        .into_iter()
+        .filter_map(|object| bounds(&view.world.scene, object));
+    let near = objects.filter(|bounds| bounds.size().length() < points.size().length());
+    let all = near.fold(points, Aabb::union);
     let margin = 0.05 * all.size().length().max(0.1);
     all.padded(DVec3::splat(margin))
+}
+
+/// A box around an object; `None` if a part of it has no end.
+fn bounds(scene: &Scene, object: u32) -> Option<Aabb> {
+    let first = scene.objects.get(object as usize)?.first_primitive as usize;
+    let count = scene
+        .owners
+        .get(first..)?
+        .iter()
+        .take_while(|o| **o == object)
+        .count();
+    let mut shapes = scene.shapes.get(first..first + count)?.iter();
+    shapes.try_fold(Aabb::EMPTY, |all, shape| Some(all.union(shape.bounds()?)))
 }

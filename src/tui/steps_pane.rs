@@ -2,7 +2,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Stylize as _;
+use ratatui::style::{Style, Stylize as _};
 use ratatui::text::{Line, Span};
 
 use super::draw::write;
@@ -68,11 +68,8 @@ pub fn draw(session: &Session, place: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// A node: where it is split, which part of the ray is inside, what is done and why.
+/// A node: what is done and why not more, then where it is split and which part of the ray is inside.
 fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
-    let [t0, t1] = visit.interval;
-    let node = format!("node {}", visit.node);
-    let interval = format!(" t {}..{}", short(t0), short(t1));
     let child = |id: u32| {
         if id == NONE {
             "empty".to_owned()
@@ -81,54 +78,47 @@ fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
         }
     };
     let (near, far) = (child(visit.near), child(visit.far));
-    let plane = session
-        .world
-        .accel
-        .plane(visit.node)
-        .map_or_else(String::new, |(n, d)| {
-            format!(" {} at t {}", plane(n.to_array(), d), short(visit.t_split))
-        });
     let choice = match visit.choice {
         Choice::Leaf => " leaf".to_owned(),
-        Choice::Both => format!(": near {near}, then far {far}"),
-        Choice::BothInDoubt => format!(": near {near}, then far {far}, both in doubt"),
-        Choice::NearSplitBeyond => format!(": near {near}; far {far} skipped, beyond the interval"),
-        Choice::NearRunsAway => format!(": near {near}; far {far} skipped, runs away from it"),
-        Choice::FarSplitBefore => format!(": far {far}; near {near} skipped, before the interval"),
+        Choice::Both => format!(" near {near}, far {far}"),
+        Choice::BothInDoubt => format!(" near {near}, far {far} (in doubt)"),
+        Choice::NearSplitBeyond => format!(" near {near}, not {far}: plane beyond"),
+        Choice::NearRunsAway => format!(" near {near}, not {far}: runs away"),
+        Choice::FarSplitBefore => format!(" far {far}, not {near}: plane before"),
         Choice::SkippedCloserHit => " skipped: a closer hit is known".to_owned(),
-        Choice::SkippedOutside => " skipped: misses the scene's box".to_owned(),
+        Choice::SkippedOutside => " skipped: outside the box".to_owned(),
     };
+    let [t0, t1] = visit.interval.map(short);
+    let plane = session.world.accel.plane(visit.node);
+    let plane = plane.map_or_else(String::new, |(n, d)| {
+        format!(
+            "{} at t {}, ",
+            plane_name(n.to_array(), d),
+            short(visit.t_split)
+        )
+    });
+    let node = format!("node {}", visit.node);
+    let place = format!("  {plane}inside t {t0}..{t1}");
     let skipped = matches!(
         visit.choice,
         Choice::SkippedCloserHit | Choice::SkippedOutside
     );
-    let style = if skipped {
-        theme::dim()
-    } else {
-        ratatui::style::Style::new()
-    };
+    let style = if skipped { theme::dim() } else { Style::new() };
     vec![
         Span::styled(node, style.bold()),
-        Span::styled(interval, style),
-        Span::styled(plane, style),
         Span::styled(choice, style),
+        Span::styled(place, theme::dim()),
     ]
 }
 
-/// x = d along an axis, else the normal.
-fn plane([x, y, z]: [f64; 3], d: f64) -> String {
-    match [x, y, z] {
-        [1.0, 0.0, 0.0] => format!("x = {}", short(d)),
-        [0.0, 1.0, 0.0] => format!("y = {}", short(d)),
-        [0.0, 0.0, 1.0] => format!("z = {}", short(d)),
-        _ => format!(
-            "({}, {}, {}).p = {}",
-            short(x),
-            short(y),
-            short(z),
-            short(d)
-        ),
+/// x = d across an axis, else the normal.
+fn plane_name(n: [f64; 3], d: f64) -> String {
+    let axis = (0..3).find(|i| n[*i].abs() == 1.0);
+    if let Some(i) = axis {
+        return format!("{} = {}", ["x", "y", "z"][i], short(d * n[i] + 0.0));
     }
+    let [x, y, z] = n.map(short);
+    format!("({x}, {y}, {z}).p = {}", short(d))
 }
 
 /// A shape: crossed or not, and where.

@@ -73,10 +73,9 @@ fn draw_row(
     let mut line = Line::default();
     line.push_span(Span::raw(if current { theme::POINTER } else { " " }).bold());
     line.push_span(Span::raw(guides(session, row, shift)).style(theme::dim()));
-    let end;
-    if row.absent {
+    let end = if row.absent {
         line.push_span(Span::styled(absence(session, row), theme::dim()));
-        end = Line::default();
+        Line::default()
     } else {
         let node = session.tree().node(row.node);
         let fold = match session.rows.has_children(session.tree(), row.node) {
@@ -88,8 +87,8 @@ fn draw_row(
         let kind = node.sent.kind;
         line.push_span(Span::styled(kind.letter(), theme::kind_style(kind)));
         line.push_span(Span::raw(format!(" {}", name(session, node))));
-        end = columns(session, row.node, level);
-    }
+        columns(session, row.node, level)
+    };
     let width = place.width.saturating_sub(end.width() as u16);
     write(buffer, place.x, place.y, &line, width);
     write(buffer, place.x + width, place.y, &end, place.width - width);
@@ -160,7 +159,9 @@ fn lit(session: &Session, id: u32) -> Rgb {
 }
 
 fn num3(x: f64) -> String {
-    if (1e-3..1e5).contains(&x) {
+    if x.is_infinite() {
+        "∞".to_owned()
+    } else if (1e-3..1e5).contains(&x) {
         format!("{x:.3}")
     } else {
         num(x)
