@@ -13,7 +13,7 @@ use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::ray::RayHit;
 use raytree::accel::{Accel, AccelKind};
-use raytree::geometry::{Shape, Triangle};
+use raytree::geometry::{Aabb, Shape, Triangle};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::probe::Silent;
 
@@ -69,10 +69,30 @@ fn room() -> Vec<Triangle> {
     .concat()
 }
 
+/// The built-in bunny of 3,674 triangles, scaled into a box of 2 units around the origin.
+fn bunny() -> Vec<Triangle> {
+    let scene = raytree::scene::load("bunny").expect("built in");
+    let of_bunny = scene.shapes.iter().filter_map(|shape| match shape {
+        Shape::Triangle(triangle) => Some(*triangle),
+        _ => None,
+    });
+    let triangles: Vec<Triangle> = of_bunny.collect();
+    let bounds = Aabb::around(triangles.iter().flat_map(|t| t.corners));
+    let scale = 2.0 / bounds.size().max_element();
+    let fit = |p: DVec3| (p - bounds.center()) * scale;
+    triangles
+        .into_iter()
+        .map(|t| Triangle {
+            corners: t.corners.map(fit),
+        })
+        .collect()
+}
+
 /// What is measured, seen from about 3 m away.
 fn meshes() -> Vec<(&'static str, Vec<Triangle>)> {
     vec![
         ("room-36", room()),
+        ("bunny", bunny()),
         ("ball-4k", bumpy_ball(32)),
         ("ball-100k", bumpy_ball(158)),
     ]

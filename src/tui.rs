@@ -1,7 +1,7 @@
 //! The terminal debugger: the picture, a pixel, and its ray tree to walk through.
 //!
-//! Model, update, draw: [`app`] is the state and how actions change it; [`draw`] paints it and cannot change it;
-//! [`terminal`] is the one place that knows of a real terminal. All tracing is done by [`crate::tracer`] and told by
+//! Model, update, draw: `app` is the state and how actions change it; `draw` paints it and cannot change it;
+//! `terminal` is the one place that knows of a real terminal. All tracing is done by [`crate::tracer`] and told by
 //! [`crate::trace`].
 
 mod actions;

@@ -30,8 +30,8 @@ fn settings_of(name: &str, width: u32, height: u32) -> Settings {
 #[test]
 fn all_accelerators_and_thread_counts_draw_the_same_bits() {
     for (name, _) in scene::list() {
-        let settings = settings_of(&name, 32, 24);
-        let scene = scene::load(&name).expect("a built-in scene");
+        let settings = settings_of(name, 32, 24);
+        let scene = scene::load(name).expect("a built-in scene");
         let list = World::new(scene.clone(), AccelKind::List);
         let expected = film(&list, &settings, 1);
         assert!(!expected.cut, "{name}");
@@ -54,8 +54,8 @@ fn all_accelerators_and_thread_counts_draw_the_same_bits() {
 #[test]
 fn listening_changes_nothing() {
     for (name, _) in scene::list() {
-        let settings = settings_of(&name, 20, 15);
-        let world = World::new(scene::load(&name).expect("built in"), settings.accel);
+        let settings = settings_of(name, 20, 15);
+        let world = World::new(scene::load(name).expect("built in"), settings.accel);
         let silent = film(&world, &settings, 2);
         let (counted, counts) = render::<Counts>(&world, &settings, 2, &|_, _| Flow::Continue);
         assert_eq!(bits(&silent.pixels), bits(&counted.pixels), "{name}");

@@ -152,7 +152,7 @@ fn the_block_reflects_totally_and_the_mirrors_end_at_the_depth_limit() {
         let mut settings = scene.settings;
         (settings.width, settings.height) = (64, 48);
         let world = World::new(scene, settings.accel);
-        let (_, probes) = render::<Absences>(&world, &settings, &|_, _| Flow::Continue);
+        let (_, probes) = render::<Absences>(&world, &settings, 2, &|_, _| Flow::Continue);
         let sum = |part: fn(&Absences) -> usize| probes.iter().map(part).sum::<usize>();
         (sum(|a| a.total_internal_reflection), sum(|a| a.depth_limit))
     };

@@ -33,7 +33,9 @@ fn shape() -> impl Strategy<Value = Shape> {
             // Often in a plane along the axes, where one coordinate is 0.
             let mut corners = [DVec3::ZERO, b, c].map(|p| p * size + at);
             if flat < 3 {
-                corners.iter_mut().for_each(|p| p[flat] = 0.0);
+                for p in &mut corners {
+                    p[flat] = 0.0;
+                }
             }
             Triangle { corners }
         });

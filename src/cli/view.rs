@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::settings::SceneArgs;
+use super::settings::{SceneArgs, SettingsArgs};
 use super::{ColorArg, Done, Failure};
 use crate::tui::{self, Options};
 
@@ -41,7 +41,7 @@ impl Default for View {
         Self {
             scene: SceneArgs {
                 scene: DEFAULT_SCENE.to_owned(),
-                settings: Default::default(),
+                settings: SettingsArgs::default(),
             },
             color: ColorArg::Auto,
             no_mouse: false,
