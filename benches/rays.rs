@@ -72,10 +72,16 @@ fn room() -> Vec<Triangle> {
 /// The built-in bunny of 3,674 triangles, scaled into a box of 2 units around the origin.
 fn bunny() -> Vec<Triangle> {
     let scene = raytree::scene::load("bunny").expect("built in");
-    let of_bunny = scene.shapes.iter().filter_map(|shape| match shape {
-        Shape::Triangle(triangle) => Some(*triangle),
-        _ => None,
-    });
+    let of_bunny = scene
+        .shapes
+        .iter()
+        .enumerate()
+        .filter_map(|(id, shape)| match shape {
+            Shape::Triangle(triangle) if scene.object_of(id as u32).name == "bunny" => {
+                Some(*triangle)
+            }
+            _ => None,
+        });
     let triangles: Vec<Triangle> = of_bunny.collect();
     let bounds = Aabb::around(triangles.iter().flat_map(|t| t.corners));
     let scale = 2.0 / bounds.size().max_element();

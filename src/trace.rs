@@ -1,7 +1,7 @@
 //! What happened: the recorded pixel, as a log, as a tree, as numbers to read.
 //!
 //! The log is the truth. The tree ([`RayTree`]) is a fold of it; stepping ([`Cursor`]) is an index into it; what is
-//! shown beside it is computed again from it with the tracer's own functions ([`explain`]).
+//! shown beside it is computed again from it with the tracer's own functions ([`mod@explain`]).
 
 pub mod arrival;
 pub mod counts;
