@@ -259,6 +259,16 @@ fn help_opens_scrolls_and_closes() {
 }
 
 #[test]
+fn the_line_that_reruns_a_pixel_has_what_the_scene_does_not() {
+    let mut app = app(120, 36);
+    app.settings.depth = 9;
+    app.settings.fresnel = crate::shading::Fresnel::None;
+    let line = super::bars::rerun(&app);
+    let end = "whitted --size 120x66 --pixel 60,33 --depth 9 --fresnel none";
+    assert_eq!(line, format!("raytree trace {end}"));
+}
+
+#[test]
 fn any_size_is_drawn() {
     let sizes = [
         (160, 50),
