@@ -328,18 +328,26 @@ fn any_size_is_drawn() {
 #[test]
 fn the_picture_is_that_of_the_tracer() {
     let mut app = app_with(60, 20, |_| ());
-    // Sizes change while it renders: nothing of an older image may stay.
-    app.resize(Rect::new(0, 0, 50, 20));
-    app.receive();
-    app.resize(Rect::new(0, 0, 44, 15));
+    let check = |app: &App| {
+        let (width, height) = app.picture.size;
+        for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            if let Some(shown) = app.picture.exact(at) {
+                let traced = pixel(&app.world, &app.settings, at, &mut Silent).color;
+                assert_eq!(shown, traced, "{at:?}");
+            }
+        }
+    };
+    // Sizes change while it renders: what was rendered of an older image must not be taken for this one.
+    for (width, height) in [(50, 20), (44, 15)] {
+        std::thread::sleep(Duration::from_millis(100));
+        app.resize(Rect::new(0, 0, width, height));
+        app.receive();
+        check(&app);
+    }
     settle(&mut app);
     assert_eq!(app.picture.size, (44, 24));
-    for y in 0..24 {
-        for x in 0..44 {
-            let traced = pixel(&app.world, &app.settings, (x, y), &mut Silent).color;
-            assert_eq!(app.picture.exact((x, y)), Some(traced), "{x},{y}");
-        }
-    }
+    assert_eq!(app.picture.progress(), 1.0);
+    check(&app);
     // Each half cell is one pixel.
     let drawn = buffer(&app);
     let color = |c: Rgb| {
