@@ -135,7 +135,10 @@ impl Shape {
                 let local = placed.shape.surface(&ray, t, barycentric);
                 SurfacePoint {
                     point: placed.transform.point(local.point),
-                    error: placed.transform.point_error(local.point, local.error),
+                    // The next test takes the way back as well: the inverse is only known as well as the
+                    // transform is conditioned.
+                    error: placed.transform.point_error(local.point, local.error)
+                        * (1.0 + placed.transform.condition()),
                     normal: placed.transform.normal(local.normal),
                     uv: local.uv,
                 }

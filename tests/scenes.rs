@@ -3,7 +3,9 @@
 use std::collections::HashSet;
 
 use raytree::geometry::Shape;
-use raytree::scene::{Scene, builtin, file, list, load};
+use raytree::probe::{Absence, Event, Probe};
+use raytree::scene::{Scene, World, builtin, file, list, load};
+use raytree::tracer::{Flow, render};
 
 fn each() -> impl Iterator<Item = (&'static str, Scene)> {
     builtin::names().map(|name| {
@@ -116,4 +118,47 @@ fn each_scene_shows_its_idea() {
                 .all(|n| n.is_normalized() || n.length() == 0.0)
         );
     }
+}
+
+/// Counts the rays that were not sent, by reason.
+#[derive(Default)]
+struct Absences {
+    total_internal_reflection: usize,
+    depth_limit: usize,
+}
+
+impl Probe for Absences {
+    const TRAVERSAL: bool = false;
+
+    fn event(&mut self, event: Event) {
+        match event {
+            Event::Absent {
+                reason: Absence::TotalInternalReflection { .. },
+                ..
+            } => self.total_internal_reflection += 1,
+            Event::Absent {
+                reason: Absence::DepthLimit,
+                ..
+            } => self.depth_limit += 1,
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn the_block_reflects_totally_and_the_mirrors_end_at_the_depth_limit() {
+    let absences = |name: &str| {
+        let scene = load(name).expect("built in");
+        let mut settings = scene.settings;
+        (settings.width, settings.height) = (64, 48);
+        let world = World::new(scene, settings.accel);
+        let (_, probes) = render::<Absences>(&world, &settings, &|_, _| Flow::Continue);
+        let sum = |part: fn(&Absences) -> usize| probes.iter().map(part).sum::<usize>();
+        (sum(|a| a.total_internal_reflection), sum(|a| a.depth_limit))
+    };
+    assert!(absences("glass-block").0 > 20);
+    assert!(absences("nested-glass").0 > 20);
+    let (total, depth) = absences("mirrors");
+    assert!(total == 0 && depth > 9, "{total} {depth}");
+    assert_eq!(absences("triangle"), (0, 0));
 }

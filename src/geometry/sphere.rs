@@ -42,14 +42,15 @@ impl Sphere {
         Intersection::first_of(t0.min(t1), t0.max(t1), interval)
     }
 
-    /// The point at `t`, pulled back onto the sphere; its error is then gamma_5 of its distance from the centre.
+    /// The point at `t`, pulled back onto the sphere. It is then within gamma_5 of its distance from the centre (PBR
+    /// 4th edition, section 6.8.4); the rest of the bound is what the next test of the same sphere may round.
     pub fn surface(&self, ray: &Ray, t: f64) -> SurfacePoint {
         let normal = (ray.at(t) - self.center).normalize_or(DVec3::Y);
         let local = normal * self.radius;
         let point = self.center + local;
         SurfacePoint {
             point,
-            error: gamma(5) * local.abs() + gamma(1) * point.abs(),
+            error: DVec3::splat(gamma(16) * self.radius) + gamma(4) * self.center.abs(),
             normal,
             uv: DVec2::new(
                 libm::atan2(-normal.z, normal.x) / TAU + 0.5,
@@ -61,7 +62,7 @@ impl Sphere {
     /// The box around the sphere, one float wider than computed.
     pub fn bounds(&self) -> Aabb {
         let r = DVec3::splat(self.radius);
-        let pad = gamma(2) * (self.center.abs() + r);
+        let pad = gamma(16) * (self.center.abs() + r);
         Aabb {
             min: self.center - r,
             max: self.center + r,

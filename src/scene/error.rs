@@ -54,16 +54,16 @@ impl Problem {
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut text = self.file.clone();
-        match self.position {
-            Some((line, 0)) => text += &format!(":{line}"),
-            Some((line, column)) => text += &format!(":{line}:{column}"),
-            None => {}
-        }
-        if !self.field.is_empty() {
-            text += &format!(": {}", self.field);
-        }
-        text += &format!(": {}", self.problem.what);
+        let position = match self.position {
+            Some((line, 0)) => format!(":{line}"),
+            Some((line, column)) => format!(":{line}:{column}"),
+            None => String::new(),
+        };
+        let field = match shortened(&self.field) {
+            field if field.is_empty() => field,
+            field => format!(": {field}"),
+        };
+        let text = format!("{}{position}{field}: {}", self.file, self.problem.what);
         write!(
             f,
             "{}\n  {}",
@@ -74,6 +74,18 @@ impl fmt::Display for SceneError {
 }
 
 impl std::error::Error for SceneError {}
+
+/// A long path by its beginning and its end.
+fn shortened(path: &str) -> String {
+    const ENDS: usize = 60;
+    let letters: Vec<char> = path.chars().collect();
+    if letters.len() <= 2 * ENDS + 3 {
+        return path.to_string();
+    }
+    let start: String = letters[..ENDS].iter().collect();
+    let end: String = letters[letters.len() - ENDS..].iter().collect();
+    format!("{start}...{end}")
+}
 
 /// The text without control characters, and not endless: what a stranger's file says must not steer a terminal.
 pub fn printable(text: &str) -> String {

@@ -3,6 +3,7 @@
 //! Kinds are told by a key, as in `{"sphere": {"name": ...}}`: then an error inside has an exact path, such as
 //! `objects[3].sphere.radius`. Every object may carry a `note`, which says what it is there for and changes nothing.
 
+mod explain;
 mod light;
 mod material;
 mod object;

@@ -164,7 +164,7 @@ fn check_name(name: &str) -> Result<(), Problem> {
 fn text(bytes: Vec<u8>) -> Result<String, Problem> {
     let text = String::from_utf8(bytes).map_err(|e| {
         let good = e.utf8_error().valid_up_to();
-        let line = 1 + e.as_bytes()[..good].iter().filter(|b| **b == b'\n').count();
+        let line = e.as_bytes()[..good].split(|b| *b == b'\n').count();
         Problem::new(
             format!("this is not UTF-8 text (line {line}, byte {good})"),
             "save it with the encoding UTF-8 in your editor, or check that it is the right file",

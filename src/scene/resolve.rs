@@ -3,6 +3,8 @@
 //! What passes here cannot make the tracer panic, and every refusal tells the field and the cure.
 
 mod checks;
+mod meshes;
+mod models;
 mod objects;
 mod placement;
 mod shapes;
@@ -190,8 +192,8 @@ fn material(name: &str, file: &MaterialFile, place: &Place) -> Result<Material, 
     };
     Ok(Material {
         name: name.to_string(),
-        ambient: factor(file.ambient.unwrap_or(file.diffuse), "ambient")?,
         diffuse: factor(file.diffuse, "diffuse")?,
+        ambient: factor(file.ambient.unwrap_or(file.diffuse), "ambient")?,
         specular: factor(file.specular, "specular")?,
         shininess: number(file.shininess, [0.0, MAX_EXPONENT], &place.key("shininess"))?,
         mirror: share(file.mirror, "mirror")?,

@@ -1,17 +1,17 @@
 //! Objects: their names, their materials, and their shapes in the world.
 
 use super::checks::{self, direction, point, positive};
+use super::meshes::{directions, inline, points, quad};
 use super::placement::placed;
 use super::{Builder, shapes};
-use crate::geometry::{Aabb, Shape, Sphere, Triangle};
-use crate::math::{DVec2, DVec3, Transform};
+use crate::geometry::{Aabb, Shape, Sphere};
+use crate::math::{DVec3, Transform};
 use crate::scene::error::{Place, Problem, SceneError};
-use crate::scene::file::{MeshFile, ObjFile, ObjectFile, TransformStep, Vector};
+use crate::scene::file::{ObjectFile, TransformStep, Vector};
 use crate::scene::limits::{MAX_COORDINATE, MAX_GROUP_DEPTH, MAX_PRIMITIVES};
 use crate::scene::mesh::Mesh;
 use crate::scene::nearest::nearest;
-use crate::scene::{Object, VertexData, obj};
-use crate::shading::Material;
+use crate::scene::{Object, VertexData};
 
 /// The group that objects stand in.
 #[derive(Clone, Debug, Default)]
@@ -24,10 +24,13 @@ struct Group {
 }
 
 /// An object whose name and placing are known.
-struct Header<'a> {
-    name: String,
-    map: Option<Transform>,
-    place: Place<'a>,
+pub struct Header<'a> {
+    /// Its name with those of its groups.
+    pub name: String,
+    /// Its way into the world.
+    pub map: Option<Transform>,
+    /// Its place in the file.
+    pub place: Place<'a>,
 }
 
 impl Builder {
@@ -143,7 +146,7 @@ impl Builder {
     }
 
     /// The number of the material with this name.
-    fn material(&self, name: &str, place: &Place) -> Result<u32, SceneError> {
+    pub fn material(&self, name: &str, place: &Place) -> Result<u32, SceneError> {
         let names = || self.scene.materials.iter().map(|m| m.name.as_str());
         if let Some(i) = names().position(|known| known == name) {
             return Ok(i as u32);
@@ -159,7 +162,7 @@ impl Builder {
     }
 
     /// Begins an object: what is put in from now on belongs to it.
-    fn begin(&mut self, name: &str, material: u32, place: &Place) -> Result<(), SceneError> {
+    pub fn begin(&mut self, name: &str, material: u32, place: &Place) -> Result<(), SceneError> {
         checks::name(name, &place.key("name"))?;
         if !self.names.insert(name.to_string()) {
             return Err(place.key("name").error(
@@ -177,7 +180,7 @@ impl Builder {
     }
 
     /// Puts a shape into the object that was begun last.
-    fn put(&mut self, shape: Shape, place: &Place) -> Result<(), SceneError> {
+    pub fn put(&mut self, shape: Shape, place: &Place) -> Result<(), SceneError> {
         if self.scene.shapes.len() >= MAX_PRIMITIVES {
             return Err(place.error(
                 format!("the scene has more than {MAX_PRIMITIVES} triangles and other shapes"),
@@ -196,160 +199,6 @@ impl Builder {
     fn single(&mut self, header: &Header, material: u32, shape: Shape) -> Result<(), SceneError> {
         self.begin(&header.name, material, &header.place)?;
         self.put(shape, &header.place)
-    }
-
-    /// Puts in a mesh. Triangles without area are left out: nothing can hit them, and they have no normal.
-    fn mesh(&mut self, header: &Header, material: u32, mesh: Mesh) -> Result<(), SceneError> {
-        self.begin(&header.name, material, &header.place)?;
-        let Mesh {
-            mut points,
-            triangles,
-            lines,
-            mut corners,
-        } = mesh;
-        let mut mirrored = false;
-        if let Some(map) = &header.map {
-            points.iter_mut().for_each(|p| *p = map.point(*p));
-            let turned = |n: &DVec3| {
-                if *n == DVec3::ZERO {
-                    *n
-                } else {
-                    map.normal(*n)
-                }
-            };
-            corners.normals.iter_mut().for_each(|n| *n = turned(n));
-            mirrored = map.flips_handedness();
-        }
-        // In a mirror, what ran counter-clockwise runs clockwise.
-        let order = |t: [u32; 3]| if mirrored { [t[0], t[2], t[1]] } else { t };
-        let mut kept = VertexData {
-            normals: corners.normals,
-            uvs: corners.uvs,
-            ..VertexData::default()
-        };
-        let (mut flat, mut first) = (0, 0);
-        for (i, t) in triangles.iter().enumerate() {
-            let triangle = Triangle {
-                corners: order(*t).map(|i| points[i as usize]),
-            };
-            if triangle.normal().is_none() {
-                first = if flat == 0 { i } else { first };
-                flat += 1;
-                continue;
-            }
-            self.put(Shape::Triangle(triangle), &header.place)?;
-            kept.normal_indices
-                .extend(corners.normal_indices.get(i).copied().map(order));
-            kept.uv_indices
-                .extend(corners.uv_indices.get(i).copied().map(order));
-        }
-        if flat > 0 {
-            let which = match lines.get(first) {
-                Some(line) => format!("the first is on line {line}"),
-                None => format!("the first is number {first}"),
-            };
-            self.warn(&format!(
-                "object `{}`: {flat} of {} triangles have no area ({which}): they are left out",
-                header.name,
-                triangles.len()
-            ));
-        }
-        let plain = kept.normal_indices.is_empty() && kept.uv_indices.is_empty();
-        if let Some(object) = self.scene.objects.last_mut() {
-            object.vertices = (!plain).then_some(kept);
-        }
-        Ok(())
-    }
-
-    /// Puts in what an OBJ file holds: with a material from the scene file one object, else one for each part.
-    fn obj(&mut self, file: &ObjFile, header: &Header) -> Result<(), SceneError> {
-        let material = match &file.material {
-            Some(name) => Some(self.material(name, &header.place)?),
-            None => None,
-        };
-        let place = header.place.key("file");
-        let text = self.files.read(&file.file).map_err(|p| place.wrap(p))?;
-        let text = text.ok_or_else(|| {
-            place.error(
-                format!("there is no file `{}`", file.file),
-                "check the spelling; the path starts in the folder of the scene file",
-            )
-        })?;
-        let own_materials = material.is_none();
-        let read = obj::parse(&text, &file.file, &mut self.files, own_materials)?;
-        read.warnings.iter().for_each(|w| self.warn(w));
-
-        if let Some(material) = material {
-            let mut whole = Mesh::default();
-            for part in read.parts {
-                whole.append(part.mesh);
-            }
-            return self.mesh(header, material, whole);
-        }
-        let mut numbers = Vec::with_capacity(read.materials.len());
-        for found in read.materials {
-            numbers.push(self.own_material(found, &header.name, &header.place)?);
-        }
-        let several = read.parts.len() > 1;
-        for (i, part) in read.parts.into_iter().enumerate() {
-            let material = match part.material.and_then(|m| numbers.get(m)) {
-                Some(material) => *material,
-                None => self.grey(&header.place)?,
-            };
-            let name = if several {
-                self.part_name(&header.name, &part.name, i)
-            } else {
-                header.name.clone()
-            };
-            let header = Header {
-                name,
-                map: header.map,
-                place: header.place.clone(),
-            };
-            self.mesh(&header, material, part.mesh)?;
-        }
-        Ok(())
-    }
-
-    /// A name that no other object has: the part's own, or its number.
-    fn part_name(&self, object: &str, part: &str, number: usize) -> String {
-        let part = if part.is_empty() { "part" } else { part };
-        let name = format!("{object}/{part}");
-        if self.names.contains(&name) {
-            format!("{name}#{number}")
-        } else {
-            name
-        }
-    }
-
-    /// A material of an MTL file. If the scene has one of that name already, the object's name goes before it.
-    fn own_material(
-        &mut self,
-        mut material: Material,
-        object: &str,
-        place: &Place,
-    ) -> Result<u32, SceneError> {
-        let known = |name: &str| self.scene.materials.iter().any(|m| m.name == name);
-        if known(&material.name) {
-            material.name = format!("{object}/{}", material.name);
-        }
-        let number = self.scene.materials.len();
-        if known(&material.name) {
-            material.name = format!("{}#{number}", material.name);
-        }
-        checks::name(&material.name, place)?;
-        self.scene.materials.push(material);
-        Ok(number as u32)
-    }
-
-    /// The material of what has none.
-    fn grey(&mut self, place: &Place) -> Result<u32, SceneError> {
-        let name = "grey (no material given)";
-        if let Some(i) = self.scene.materials.iter().position(|m| m.name == name) {
-            return Ok(i as u32);
-        }
-        let grey = obj::default_material(name);
-        self.own_material(grey, "", place)
     }
 }
 
@@ -382,19 +231,6 @@ fn near(p: DVec3, place: &Place) -> Result<(), SceneError> {
     )))
 }
 
-fn points(list: &[Vector], place: &Place) -> Result<Vec<DVec3>, SceneError> {
-    let inside = |v: &Vector| v.iter().all(|c| c.abs() <= MAX_COORDINATE);
-    if let Some(i) = list.iter().position(|v| !inside(v)) {
-        point(list[i], &place.index(i))?;
-    }
-    Ok(list.iter().copied().map(DVec3::from).collect())
-}
-
-fn directions(list: &[Vector], place: &Place) -> Result<Vec<DVec3>, SceneError> {
-    let unit = |(i, v): (usize, &Vector)| direction(*v, &place.index(i));
-    list.iter().enumerate().map(unit).collect()
-}
-
 fn bounds(min: Vector, max: Vector, place: &Place) -> Result<Aabb, SceneError> {
     let min = point(min, &place.key("min"))?;
     let max = point(max, &place.key("max"))?;
@@ -410,63 +246,4 @@ fn bounds(min: Vector, max: Vector, place: &Place) -> Result<Aabb, SceneError> {
         }
     }
     Ok(Aabb { min, max })
-}
-
-/// The two triangles of a parallelogram.
-fn quad(corner: DVec3, u: DVec3, v: DVec3) -> Mesh {
-    let triangles = vec![[0, 1, 2], [0, 2, 3]];
-    Mesh {
-        points: vec![corner, corner + u, corner + u + v, corner + v],
-        corners: VertexData {
-            uv_indices: triangles.clone(),
-            uvs: vec![DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y],
-            ..VertexData::default()
-        },
-        triangles,
-        ..Mesh::default()
-    }
-}
-
-/// The mesh that stands in the scene file.
-fn inline(file: &MeshFile, place: &Place) -> Result<Mesh, SceneError> {
-    let count = file.vertices.len();
-    for (i, triangle) in file.triangles.iter().enumerate() {
-        for (j, index) in triangle.iter().enumerate() {
-            if *index as usize >= count {
-                return Err(place.key("triangles").index(i).index(j).error(
-                    format!("there is no vertex {index}"),
-                    format!("there are {count} vertices, counted from 0"),
-                ));
-            }
-        }
-    }
-    let same = |found: usize, key: &str| {
-        if found == count {
-            return Ok(());
-        }
-        Err(place.key(key).error(
-            format!("there are {found} {key} for {count} vertices"),
-            "give one for each vertex, or none at all",
-        ))
-    };
-    let mut corners = VertexData::default();
-    if let Some(normals) = &file.normals {
-        same(normals.len(), "normals")?;
-        corners.normals = directions(normals, &place.key("normals"))?;
-        corners.normal_indices.clone_from(&file.triangles);
-    }
-    if let Some(uvs) = &file.uvs {
-        same(uvs.len(), "uvs")?;
-        for (i, [u, v]) in uvs.iter().enumerate() {
-            point([*u, *v, 0.0], &place.key("uvs").index(i))?;
-        }
-        corners.uvs = uvs.iter().copied().map(DVec2::from).collect();
-        corners.uv_indices.clone_from(&file.triangles);
-    }
-    Ok(Mesh {
-        points: points(&file.vertices, &place.key("vertices"))?,
-        triangles: file.triangles.clone(),
-        lines: Vec::new(),
-        corners,
-    })
 }
