@@ -112,23 +112,25 @@ pub fn rerun(app: &App) -> String {
 
 /// The settings that are not the scene's own, as flags.
 fn flags(now: &Settings, own: &Settings) -> Vec<(&'static str, String)> {
-    let all = [
-        ("samples", now.samples.to_string(), own.samples.to_string()),
-        ("depth", now.depth.to_string(), own.depth.to_string()),
-        (
-            "min-weight",
-            now.min_weight.to_string(),
-            own.min_weight.to_string(),
-        ),
-        ("seed", now.seed.to_string(), own.seed.to_string()),
-        (
-            "accel",
-            now.accel.name().to_owned(),
-            own.accel.name().to_owned(),
-        ),
-    ];
-    let changed = all.into_iter().filter(|(_, now, own)| now != own);
-    changed.map(|(flag, now, _)| (flag, now)).collect()
+    let word = |name: &dyn std::fmt::Debug| format!("{name:?}").to_lowercase();
+    let values = |s: &Settings| {
+        [
+            ("samples", s.samples.to_string()),
+            ("sampling", word(&s.sampling)),
+            ("depth", s.depth.to_string()),
+            ("min-weight", s.min_weight.to_string()),
+            ("fresnel", word(&s.fresnel)),
+            ("exposure", s.exposure.to_string()),
+            ("seed", s.seed.to_string()),
+            ("accel", s.accel.name().to_owned()),
+            ("max-rays", s.max_rays.to_string()),
+        ]
+    };
+    let pairs = values(now).into_iter().zip(values(own));
+    pairs
+        .filter(|(now, own)| now != own)
+        .map(|(now, _)| now)
+        .collect()
 }
 
 /// What the keys do here, as many as there is room for.

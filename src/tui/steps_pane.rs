@@ -91,11 +91,12 @@ fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
     let [t0, t1] = visit.interval.map(short);
     let plane = session.world.accel.plane(visit.node);
     let plane = plane.map_or_else(String::new, |(n, d)| {
-        format!(
-            "{} at t {}, ",
-            plane_name(n.to_array(), d),
-            short(visit.t_split)
-        )
+        let name = plane_name(n.to_array(), d);
+        if visit.t_split.is_nan() {
+            format!("{name}, ")
+        } else {
+            format!("{name} at t {}, ", short(visit.t_split))
+        }
     });
     let node = format!("node {}", visit.node);
     let place = format!("  {plane}inside t {t0}..{t1}");
@@ -139,9 +140,6 @@ fn tested(session: &Session, primitive: u32, verdict: Verdict, t: f64) -> Vec<Sp
 fn short(x: f64) -> String {
     if x.is_infinite() {
         return "∞".to_owned();
-    }
-    if x.is_nan() {
-        return "none".to_owned();
     }
     if x == 0.0 || (1e-3..1e5).contains(&x.abs()) {
         let text = format!("{x:.3}");

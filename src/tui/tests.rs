@@ -259,6 +259,16 @@ fn help_opens_scrolls_and_closes() {
 }
 
 #[test]
+fn the_line_that_reruns_a_pixel_has_what_the_scene_does_not() {
+    let mut app = app(120, 36);
+    app.settings.depth = 9;
+    app.settings.fresnel = crate::shading::Fresnel::None;
+    let line = super::bars::rerun(&app);
+    let end = "whitted --size 120x66 --pixel 60,33 --depth 9 --fresnel none";
+    assert_eq!(line, format!("raytree trace {end}"));
+}
+
+#[test]
 fn any_size_is_drawn() {
     let sizes = [
         (160, 50),
@@ -318,18 +328,26 @@ fn any_size_is_drawn() {
 #[test]
 fn the_picture_is_that_of_the_tracer() {
     let mut app = app_with(60, 20, |_| ());
-    // Sizes change while it renders: nothing of an older image may stay.
-    app.resize(Rect::new(0, 0, 50, 20));
-    app.receive();
-    app.resize(Rect::new(0, 0, 44, 15));
+    let check = |app: &App| {
+        let (width, height) = app.picture.size;
+        for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            if let Some(shown) = app.picture.exact(at) {
+                let traced = pixel(&app.world, &app.settings, at, &mut Silent).color;
+                assert_eq!(shown, traced, "{at:?}");
+            }
+        }
+    };
+    // Sizes change while it renders: what was rendered of an older image must not be taken for this one.
+    for (width, height) in [(50, 20), (44, 15)] {
+        std::thread::sleep(Duration::from_millis(100));
+        app.resize(Rect::new(0, 0, width, height));
+        app.receive();
+        check(&app);
+    }
     settle(&mut app);
     assert_eq!(app.picture.size, (44, 24));
-    for y in 0..24 {
-        for x in 0..44 {
-            let traced = pixel(&app.world, &app.settings, (x, y), &mut Silent).color;
-            assert_eq!(app.picture.exact((x, y)), Some(traced), "{x},{y}");
-        }
-    }
+    assert_eq!(app.picture.progress(), 1.0);
+    check(&app);
     // Each half cell is one pixel.
     let drawn = buffer(&app);
     let color = |c: Rgb| {
