@@ -139,7 +139,7 @@ fn absences(view: View) -> Vec<(u32, String)> {
     (0..shown).flat_map(of_node).collect()
 }
 
-const WIDTH: f64 = 128.0;
+const WIDTH: f64 = 168.0;
 const HEIGHT: f64 = 56.0;
 const GAP: f64 = 14.0;
 const LEVEL: f64 = 92.0;
@@ -209,7 +209,7 @@ fn boxed(f: &mut fmt::Formatter, figure: &Figure, (x, y): (f64, f64)) -> fmt::Re
         (&figure.end, 33.0),
         (&figure.share, 49.0),
     ] {
-        let text = escape_xml(&shorten(text, 20));
+        let text = escape_xml(&shorten(text, 24));
         let (x, y) = (x + WIDTH / 2.0, y + line);
         writeln!(
             f,
