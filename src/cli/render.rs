@@ -23,8 +23,6 @@ was asked for (raise --max-rays or --min-weight, or lower --depth)";
 
 #[derive(Args)]
 pub struct Render {
-    #[command(flatten)]
-    scene: SceneArgs,
     /// Write a PNG file; without, the picture is drawn as text
     #[arg(short, long, value_name = "FILE.png")]
     output: Option<PathBuf>,
@@ -37,6 +35,8 @@ pub struct Render {
     /// Colours of the text picture
     #[arg(long, value_enum, default_value_t = ColorArg::Auto)]
     color: ColorArg,
+    #[command(flatten)]
+    scene: SceneArgs,
 }
 
 impl Render {

@@ -10,8 +10,6 @@ use crate::trace::{View, diagram, json, text, trace_pixel};
 
 #[derive(Args)]
 pub struct Trace {
-    #[command(flatten)]
-    scene: SceneArgs,
     /// The pixel; 0,0 is the top left corner
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
     pixel: (u32, u32),
@@ -24,6 +22,8 @@ pub struct Trace {
     /// Add every node visited and every shape tested
     #[arg(long)]
     traversal: bool,
+    #[command(flatten)]
+    scene: SceneArgs,
 }
 
 #[derive(ValueEnum, Clone, Copy)]

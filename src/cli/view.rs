@@ -11,14 +11,14 @@ const DEFAULT_SCENE: &str = "whitted";
 
 #[derive(Args)]
 pub struct View {
-    #[command(flatten)]
-    scene: SceneArgs,
     /// Colours
     #[arg(long, value_enum, default_value_t = ColorArg::Auto)]
     color: ColorArg,
     /// Leave the mouse to the terminal, which then selects text with it
     #[arg(long)]
     no_mouse: bool,
+    #[command(flatten)]
+    scene: SceneArgs,
 }
 
 impl View {
