@@ -248,6 +248,34 @@ fn no_color_means_none() {
     assert_eq!(session.end(), 0);
 }
 
+/// A closed window ends the debugger even where nobody sends SIGHUP, or where it is ignored: it must not stay behind
+/// and read from a terminal that is gone for ever.
+#[test]
+fn a_terminal_that_is_gone_ends_it() {
+    let mut command = CommandBuilder::new("sh");
+    let program = env!("CARGO_BIN_EXE_raytree");
+    command.args(["-c", &format!("trap '' HUP; exec '{program}' view whitted")]);
+    let mut session = Session::start(command);
+    session.wait_for("sRGB (");
+    let Session {
+        mut child,
+        master,
+        mut keyboard,
+        output,
+        ..
+    } = session;
+    // The thread that reads ends with the next output, and lets go of the terminal too.
+    drop(output);
+    keyboard.write_all(b"l").expect("a keyboard");
+    std::thread::sleep(Duration::from_millis(300));
+    drop((keyboard, master));
+    let start = Instant::now();
+    while child.try_wait().expect("a child").is_none() {
+        assert!(start.elapsed() < PATIENCE, "it stays behind");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}
+
 /// Names what is broken in the world of [`broken_world`].
 const BROKEN: &str = "RAYTREE_TEST_BROKEN";
 

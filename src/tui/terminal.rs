@@ -1,6 +1,6 @@
 //! The terminal: taken over at the start, given back whatever happens.
 
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::panic;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -23,6 +23,10 @@ static TAKEN: AtomicBool = AtomicBool::new(false);
 
 /// True after a panic in any thread.
 static PANICKED: AtomicBool = AtomicBool::new(false);
+
+/// How often is looked whether the terminal is still there.
+#[cfg(unix)]
+const HANGUP: std::time::Duration = std::time::Duration::from_millis(250);
 
 /// The screen, as long as it lives; then everything is as before.
 pub struct Screen {
@@ -59,6 +63,7 @@ impl Screen {
     /// Takes the terminal over. From now on a panic gives it back before it speaks, and a signal to end is noted.
     pub fn take() -> io::Result<Self> {
         let stop = signals()?;
+        watch_for_hangup();
         // Colours are our own business: see `theme`. (With NO_COLOR set, crossterm would spoil attributes as well.)
         crossterm::style::force_color_output(true);
         PANICKED.store(false, Ordering::SeqCst);
@@ -152,6 +157,23 @@ fn signals() -> io::Result<Arc<AtomicBool>> {
     }
     Ok(stop)
 }
+
+/// Ends the program when its terminal is gone, as the signal SIGHUP does where it is sent. (It is not always; and
+/// crossterm 0.29 reads from a closed terminal for ever, so that the main loop would not even see a flag.)
+#[cfg(unix)]
+fn watch_for_hangup() {
+    std::thread::spawn(|| {
+        while io::stdout().is_terminal() {
+            std::thread::sleep(HANGUP);
+        }
+        // If even that fails, there is nobody left to tell.
+        let _ = signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGHUP);
+    });
+}
+
+/// Closing the window ends the program here.
+#[cfg(not(unix))]
+fn watch_for_hangup() {}
 
 /// A flag that nothing sets.
 #[cfg(not(unix))]
