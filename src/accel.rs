@@ -12,7 +12,7 @@ pub use list::List;
 
 use crate::geometry::{Hit, Intersection, Shape, Shear};
 use crate::math::{DVec3, Interval, Ray};
-use crate::probe::{Event, Probe, Verdict};
+use crate::probe::{Event, Probe, Silent, Verdict};
 
 /// Which accelerator to build.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -151,6 +151,27 @@ impl Accel {
         match self {
             Self::List(list) => list.any(&query, probe),
             Self::Bsp(bsp) => bsp.any(&query, probe),
+        }
+    }
+
+    /// The closest hits of many rays, each inside its own interval: what [`Accel::closest`] says of each. Rays that
+    /// start close to each other and go the same way should stand next to each other; that is what makes it fast.
+    /// Answers as many as both slices have room for.
+    pub fn closest_many(
+        &self,
+        shapes: &[Shape],
+        rays: &[(Ray, Interval)],
+        out: &mut [Option<Hit>],
+    ) {
+        for ((ray, interval), out) in rays.iter().zip(out) {
+            *out = self.closest(shapes, ray, *interval, &mut Silent);
+        }
+    }
+
+    /// Whether each of many rays hits anything inside its interval, as [`Accel::any`] says; in the same order.
+    pub fn any_many(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
+        for ((ray, interval), out) in rays.iter().zip(out) {
+            *out = self.any(shapes, ray, *interval, &mut Silent).is_some();
         }
     }
 }

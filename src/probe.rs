@@ -17,6 +17,9 @@ pub trait Probe {
     /// leave out what nobody hears.
     const TRAVERSAL: bool;
 
+    /// Whether anything is wanted at all. If not, questions may be answered in bundles, ahead of the one who asks.
+    const LISTENS: bool = true;
+
     /// Called once for everything that happens, in order.
     fn event(&mut self, event: Event);
 }
@@ -27,6 +30,7 @@ pub struct Silent;
 
 impl Probe for Silent {
     const TRAVERSAL: bool = false;
+    const LISTENS: bool = false;
 
     #[inline(always)]
     fn event(&mut self, _: Event) {}

@@ -4,6 +4,7 @@
 //! rays of one pixel and writes them down. Both go through [`whitted`].
 
 pub mod film;
+pub mod foresight;
 pub mod picture;
 pub mod pixel;
 pub mod stack;

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::pixel::pixel;
+use super::foresight::Foresight;
+use super::pixel::{Pixel, pixel};
 use super::stack::on_threads;
 use crate::math::Rgb;
 use crate::probe::Probe;
@@ -37,9 +38,11 @@ pub enum Flow {
 
 /// A tile of the picture: pixels x0..x1, y0..y1.
 #[derive(Clone, Copy, Debug)]
-struct Tile {
-    x: [u32; 2],
-    y: [u32; 2],
+pub struct Tile {
+    /// First column, and the one behind the last.
+    pub x: [u32; 2],
+    /// First row, and the one behind the last.
+    pub y: [u32; 2],
 }
 
 /// A rendered tile, or one that was left out.
@@ -63,19 +66,35 @@ impl Tile {
         }
     }
 
-    /// The tile's pixels, row after row.
+    /// The tile's pixels, row after row: asked for in bundles if nobody listens, else one by one.
     fn render<P: Probe + Default>(self, world: &World, settings: &Settings) -> Done<P> {
-        let mut done = self.blank();
-        done.cut = false;
-        for y in self.y[0]..self.y[1] {
-            for x in self.x[0]..self.x[1] {
-                let pixel = pixel(world, settings, (x, y), &mut done.probe);
-                done.colors.push(pixel.color);
-                done.rays += pixel.rays;
-                done.cut |= pixel.cut;
+        let mut probe = P::default();
+        let columns = self.x[1] - self.x[0];
+        let count = (columns * (self.y[1] - self.y[0])) as usize;
+        let mut pixels = vec![Pixel::NEW; count];
+        let place = |(x, y): (u32, u32)| ((y - self.y[0]) * columns + (x - self.x[0])) as usize;
+        if P::LISTENS {
+            for at in
+                (self.y[0]..self.y[1]).flat_map(|y| (self.x[0]..self.x[1]).map(move |x| (x, y)))
+            {
+                pixels[place(at)] = pixel(world, settings, at, &mut probe);
+            }
+        } else {
+            let mut foresight = Foresight::default();
+            for sample in 0..settings.samples {
+                foresight.ask(world, settings, self, sample);
+                for (at, ray, foreseen) in foresight.pixels() {
+                    pixels[place(at)].add(world, settings, ray, Some(foreseen), &mut probe);
+                }
             }
         }
-        done
+        Done {
+            tile: self,
+            colors: pixels.iter().map(|p| p.color).collect(),
+            rays: pixels.iter().map(|p| p.rays).sum(),
+            cut: pixels.iter().any(|p| p.cut),
+            probe,
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! One pixel: its samples, and their weighted sum.
 
+use super::foresight::Foreseen;
 use super::whitted::Tracer;
-use crate::math::Rgb;
 use crate::math::sampler::{Dimension, uniform};
+use crate::math::{Ray, Rgb};
 use crate::probe::{Event, Probe};
 use crate::scene::{Sampling, Settings, World};
 
@@ -17,8 +18,39 @@ pub struct Pixel {
     pub cut: bool,
 }
 
-/// Traces pixel (x, y) and tells `probe` of everything that happens. The one way to a pixel's colour: with any probe,
-/// on any thread, it is the same bit for bit.
+impl Pixel {
+    /// No sample yet.
+    pub const NEW: Self = Self {
+        color: Rgb::BLACK,
+        rays: 0,
+        cut: false,
+    };
+
+    /// Adds what a sample of this weight brings along its eye ray. Rays are counted over all samples, since the
+    /// budget is the pixel's.
+    #[inline]
+    pub fn add<P: Probe>(
+        &mut self,
+        world: &World,
+        settings: &Settings,
+        ray: Ray,
+        foreseen: Option<Foreseen>,
+        probe: &mut P,
+    ) {
+        let mut tracer = Tracer::new(world, settings, probe).continuing(self.rays);
+        self.color += tracer.eye(ray, foreseen) * weight(settings);
+        self.rays = tracer.rays;
+        self.cut |= tracer.cut;
+    }
+}
+
+/// The weight of each sample in its pixel's sum.
+fn weight(settings: &Settings) -> f64 {
+    1.0 / f64::from(settings.samples)
+}
+
+/// Traces pixel (x, y) and tells `probe` of everything that happens. With any probe, on any thread, its colour is the
+/// same bit for bit.
 #[inline]
 pub fn pixel<P: Probe>(
     world: &World,
@@ -26,27 +58,22 @@ pub fn pixel<P: Probe>(
     (x, y): (u32, u32),
     probe: &mut P,
 ) -> Pixel {
-    let weight = 1.0 / f64::from(settings.samples);
-    let mut color = Rgb::BLACK;
-    let (mut rays, mut cut) = (0, false);
+    let mut pixel = Pixel::NEW;
     for index in 0..settings.samples {
         let film = film_position(settings, (x, y), index);
         probe.event(Event::Sample {
             index,
             film,
-            weight,
+            weight: weight(settings),
         });
         let ray = world.scene.camera.ray(film, settings.size());
-        let mut tracer = Tracer::new(world, settings, probe).continuing(rays);
-        color += tracer.eye(ray) * weight;
-        rays = tracer.rays;
-        cut |= tracer.cut;
+        pixel.add(world, settings, ray, None, probe);
     }
-    Pixel { color, rays, cut }
+    pixel
 }
 
 /// Where on the film a sample lies: in its cell of a grid over the pixel, in the middle or by chance.
-fn film_position(settings: &Settings, (x, y): (u32, u32), index: u32) -> [f64; 2] {
+pub fn film_position(settings: &Settings, (x, y): (u32, u32), index: u32) -> [f64; 2] {
     let rows = grid_rows(settings.samples);
     let columns = settings.samples / rows;
     let [dx, dy] = match settings.sampling {

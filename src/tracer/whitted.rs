@@ -2,10 +2,11 @@
 //!
 //! radiance = emission + Ka Ia + sum over lights (Kd (N.L) + Ks (R.V)^n) I + Wr radiance(R) + Wt radiance(T)
 
+use super::foresight::Foreseen;
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
-use crate::scene::{Settings, World};
-use crate::shading::{Interaction, Material, Media, Side, optics, phong};
+use crate::scene::{Scene, Settings, World};
+use crate::shading::{Illumination, Interaction, Material, Media, Side, optics, phong};
 
 /// Rays nest at most this deep, whatever depth was asked for: recursion has to end before the stack does.
 pub const MAX_DEPTH: u32 = 1000;
@@ -22,7 +23,7 @@ pub struct Tracer<'a, P> {
 }
 
 /// A ray on its way, and what it knows of the path behind it.
-struct Path {
+struct Path<'f> {
     kind: RayKind,
     ray: Ray,
     depth: u32,
@@ -31,6 +32,46 @@ struct Path {
     /// Product of the weights since the eye: what this ray's radiance counts in the pixel.
     throughput: Rgb,
     media: Media,
+    /// Answers that were found ahead, for silent eye rays.
+    foreseen: Option<Foreseen<'f>>,
+}
+
+/// What has to be known before a light counts: whether anything stands on this ray before the light.
+pub struct Question {
+    /// From the surface to the light.
+    pub ray: Ray,
+    /// The light as the surface sees it.
+    pub lit: Illumination,
+    /// N.L, positive.
+    pub n_dot_l: f64,
+}
+
+/// The question to ask of a light, or the reason why none is asked.
+pub fn shadow_question(
+    scene: &Scene,
+    at: &Interaction,
+    m: &Material,
+    light: u32,
+) -> Result<Question, Absence> {
+    if m.diffuse_at(at.uv).is_black() && m.specular.is_black() {
+        return Err(Absence::NoLocalLight);
+    }
+    let source = &scene.lights[light as usize].source;
+    let Some(lit) = source.at(at.point) else {
+        return Err(Absence::FacingAway { n_dot_l: 0.0 });
+    };
+    // The light must be before the surface by both normals, or light would leak through a smooth mesh's back.
+    let n_dot_l = at.normal.dot(lit.direction);
+    let lowest = n_dot_l.min(at.geometric_normal.dot(lit.direction));
+    if lowest <= 0.0 {
+        return Err(Absence::FacingAway { n_dot_l: lowest });
+    }
+    if lit.intensity.is_black() {
+        let cos_angle = lit.cos_angle;
+        return Err(Absence::OutsideCone { cos_angle });
+    }
+    let ray = Ray::new(at.origin_towards(lit.direction), lit.direction);
+    Ok(Question { ray, lit, n_dot_l })
 }
 
 /// What a surface does with a ray that arrived: the two directions and their shares.
@@ -62,8 +103,8 @@ impl<'a, P: Probe> Tracer<'a, P> {
         self
     }
 
-    /// The radiance that arrives at the eye along `ray`.
-    pub fn eye(&mut self, ray: Ray) -> Rgb {
+    /// The radiance that arrives at the eye along `ray`, of which something may be foreseen.
+    pub fn eye(&mut self, ray: Ray, foreseen: Option<Foreseen>) -> Rgb {
         self.radiance(&Path {
             kind: RayKind::Incident,
             ray,
@@ -71,6 +112,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             weight: Rgb::WHITE,
             throughput: Rgb::WHITE,
             media: self.world.eye_media,
+            foreseen,
         })
     }
 
@@ -78,7 +120,11 @@ impl<'a, P: Probe> Tracer<'a, P> {
     fn radiance(&mut self, path: &Path) -> Rgb {
         self.send(path);
         let mut sum = Rgb::BLACK;
-        let Some(hit) = self.world.closest(&path.ray, self.probe) else {
+        let closest = match path.foreseen {
+            Some(foreseen) => foreseen.hit,
+            None => self.world.closest(&path.ray, self.probe),
+        };
+        let Some(hit) = closest else {
             self.probe.event(Event::Miss);
             self.add(
                 &mut sum,
@@ -115,40 +161,28 @@ impl<'a, P: Probe> Tracer<'a, P> {
 
     /// One light: a shadow ray to it, and if that arrives the diffuse and the specular term.
     fn light(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, m: &Material, light: u32) {
-        let kd = m.diffuse_at(at.uv);
-        let absent = |reason| Event::Absent {
-            kind: RayKind::Light,
-            light,
-            reason,
+        let asked = shadow_question(&self.world.scene, at, m, light).and_then(|question| {
+            if self.out_of_rays() {
+                Err(Absence::RayBudget)
+            } else {
+                Ok(question)
+            }
+        });
+        let question = match asked {
+            Ok(question) => question,
+            Err(reason) => {
+                return self.probe.event(Event::Absent {
+                    kind: RayKind::Light,
+                    light,
+                    reason,
+                });
+            }
         };
-        if kd.is_black() && m.specular.is_black() {
-            return self.probe.event(absent(Absence::NoLocalLight));
-        }
-        let source = &self.world.scene.lights[light as usize].source;
-        let Some(lit) = source.at(at.point) else {
-            return self
-                .probe
-                .event(absent(Absence::FacingAway { n_dot_l: 0.0 }));
-        };
-        // The light must be before the surface by both normals, or light would leak through a smooth mesh's back.
-        let n_dot_l = at.normal.dot(lit.direction);
-        let lowest = n_dot_l.min(at.geometric_normal.dot(lit.direction));
-        if lowest <= 0.0 {
-            return self
-                .probe
-                .event(absent(Absence::FacingAway { n_dot_l: lowest }));
-        }
-        if lit.intensity.is_black() {
-            let cos_angle = lit.cos_angle;
-            return self.probe.event(absent(Absence::OutsideCone { cos_angle }));
-        }
-        if self.out_of_rays() {
-            return self.probe.event(absent(Absence::RayBudget));
-        }
-        if self.shadowed(path, at, light, lit.direction, lit.distance) {
+        if self.shadowed(path, light, &question) {
             return;
         }
-        let diffuse = phong::diffuse(kd, lit.intensity, n_dot_l);
+        let Question { lit, n_dot_l, .. } = question;
+        let diffuse = phong::diffuse(m.diffuse_at(at.uv), lit.intensity, n_dot_l);
         self.add(sum, Term::Diffuse, light, diffuse);
         if !m.specular.is_black() {
             let r = optics::reflect(-lit.direction, at.normal);
@@ -159,16 +193,13 @@ impl<'a, P: Probe> Tracer<'a, P> {
     }
 
     /// Sends a shadow ray: true if anything stands before the light. Transparent things block it as well.
-    fn shadowed(
-        &mut self,
-        path: &Path,
-        at: &Interaction,
-        light: u32,
-        to_light: DVec3,
-        distance: f64,
-    ) -> bool {
-        let ray = Ray::new(at.origin_towards(to_light), to_light);
+    fn shadowed(&mut self, path: &Path, light: u32, question: &Question) -> bool {
+        let Question { ray, lit, .. } = question;
         self.rays += 1;
+        let foreseen = path.foreseen.and_then(|f| f.blocked[light as usize]);
+        if let Some(blocked) = foreseen {
+            return blocked;
+        }
         self.probe.event(Event::Ray(RaySent {
             kind: RayKind::Light,
             depth: path.depth + 1,
@@ -176,10 +207,10 @@ impl<'a, P: Probe> Tracer<'a, P> {
             medium: path.media.current(),
             origin: ray.origin,
             direction: ray.direction,
-            t_max: distance,
+            t_max: lit.distance,
             weight: Rgb::WHITE,
         }));
-        let blocker = self.world.blocker(&ray, distance, self.probe);
+        let blocker = self.world.blocker(ray, lit.distance, self.probe);
         self.probe.event(blocker.map_or(Event::Lit, Event::Blocked));
         self.probe.event(Event::Return {
             radiance: Rgb::BLACK,
@@ -287,6 +318,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
                     weight,
                     throughput,
                     media,
+                    foreseen: None,
                 });
                 *sum += weight * radiance;
             }
