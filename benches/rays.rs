@@ -3,6 +3,9 @@
 //! `obvhs` computes in single precision and answers nearly the same; raytree computes in double precision and answers
 //! exactly. The ratios at the end are taken in turns, so that a slow minute of the machine hits all alike.
 
+#[path = "rays/bundles.rs"]
+mod bundles;
+
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -271,6 +274,7 @@ fn main() {
             ("bsp", AccelKind::Bsp),
             ("bsp-axis", AccelKind::BspAxis),
             ("bsp-polygon", AccelKind::BspPolygon),
+            ("wide", AccelKind::Wide),
         ];
         let accels: Vec<_> = kinds
             .into_iter()
@@ -307,5 +311,6 @@ fn main() {
         }
     }
     criterion.final_summary();
-    println!("\n{}", table.join("\n"));
+    println!("\n{}\n", table.join("\n"));
+    bundles::table(&[("bunny", bunny()), ("ball-100k", bumpy_ball(158))]);
 }

@@ -6,9 +6,13 @@
 
 pub mod bsp;
 pub mod list;
+mod simd;
+mod slack;
+pub mod wide;
 
 pub use bsp::Bsp;
 pub use list::List;
+pub use wide::Wide;
 
 use crate::geometry::{Hit, Intersection, Shape, Shear};
 use crate::math::{DVec3, Interval, Ray};
@@ -26,11 +30,19 @@ pub enum AccelKind {
     BspAxis,
     /// A BSP tree split by the planes of the scene's own polygons, as in the lectures.
     BspPolygon,
+    /// A tree of boxes, eight to a node: the fast one.
+    Wide,
 }
 
 impl AccelKind {
     /// Every kind.
-    pub const ALL: [Self; 4] = [Self::List, Self::Bsp, Self::BspAxis, Self::BspPolygon];
+    pub const ALL: [Self; 5] = [
+        Self::List,
+        Self::Bsp,
+        Self::BspAxis,
+        Self::BspPolygon,
+        Self::Wide,
+    ];
 
     /// Its name on the command line and in JSON.
     pub fn name(self) -> &'static str {
@@ -39,6 +51,7 @@ impl AccelKind {
             Self::Bsp => "bsp",
             Self::BspAxis => "bsp-axis",
             Self::BspPolygon => "bsp-polygon",
+            Self::Wide => "wide",
         }
     }
 }
@@ -50,6 +63,8 @@ pub enum Accel {
     List(List),
     /// Descend a tree of planes.
     Bsp(Bsp),
+    /// Descend a tree of boxes.
+    Wide(Wide),
 }
 
 /// A node of a tree, for readers.
@@ -98,6 +113,7 @@ impl Accel {
     pub fn build(kind: AccelKind, shapes: &[Shape]) -> Self {
         match kind {
             AccelKind::List => Self::List(List::build(shapes)),
+            AccelKind::Wide => Self::Wide(Wide::build(shapes)),
             _ => Self::Bsp(Bsp::build(kind, shapes)),
         }
     }
@@ -107,6 +123,7 @@ impl Accel {
         match self {
             Self::List(_) => None,
             Self::Bsp(bsp) => bsp.node(id),
+            Self::Wide(wide) => wide.node(id),
         }
     }
 
@@ -120,6 +137,7 @@ impl Accel {
         match self {
             Self::List(_) => AccelStats::default(),
             Self::Bsp(bsp) => bsp.stats(),
+            Self::Wide(wide) => wide.stats(),
         }
     }
 
@@ -135,6 +153,7 @@ impl Accel {
         match self {
             Self::List(list) => list.closest(&query, probe),
             Self::Bsp(bsp) => bsp.closest(&query, probe),
+            Self::Wide(wide) => wide.closest(&query, probe),
         }
     }
 
@@ -151,6 +170,34 @@ impl Accel {
         match self {
             Self::List(list) => list.any(&query, probe),
             Self::Bsp(bsp) => bsp.any(&query, probe),
+            Self::Wide(wide) => wide.any(&query, probe),
+        }
+    }
+
+    /// The closest hits of many rays, each inside its own interval: what [`Accel::closest`] says of each. Rays that
+    /// start close to each other and go the same way should stand next to each other; that is what makes it fast.
+    /// Answers as many as both slices have room for.
+    pub fn closest_many(
+        &self,
+        shapes: &[Shape],
+        rays: &[(Ray, Interval)],
+        out: &mut [Option<Hit>],
+    ) {
+        if let Self::Wide(wide) = self {
+            return wide.closest_many(shapes, rays, out);
+        }
+        for ((ray, interval), out) in rays.iter().zip(out) {
+            *out = self.closest(shapes, ray, *interval, &mut Silent);
+        }
+    }
+
+    /// Whether each of many rays hits anything inside its interval, as [`Accel::any`] says; in the same order.
+    pub fn any_many(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
+        if let Self::Wide(wide) = self {
+            return wide.any_many(shapes, rays, out);
+        }
+        for ((ray, interval), out) in rays.iter().zip(out) {
+            *out = self.any(shapes, ray, *interval, &mut Silent).is_some();
         }
     }
 

@@ -198,6 +198,10 @@ pub enum Choice {
     SkippedCloserHit,
     /// Skipped whole: the ray misses the box around everything.
     SkippedOutside,
+    /// A node of many boxes: the children whose boxes the ray meets follow, the one it enters first at first.
+    Children,
+    /// Skipped whole: the ray misses the node's box.
+    SkippedMissed,
 }
 
 /// What the test of one primitive found.

@@ -7,7 +7,12 @@ use raytree::geometry::{Aabb, Cuboid, Hit, Placed, Plane, Shape, Sphere, Triangl
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
 
-const TREES: [AccelKind; 3] = [AccelKind::Bsp, AccelKind::BspAxis, AccelKind::BspPolygon];
+const TREES: [AccelKind; 4] = [
+    AccelKind::Bsp,
+    AccelKind::BspAxis,
+    AccelKind::BspPolygon,
+    AccelKind::Wide,
+];
 
 fn triangle(corners: [DVec3; 3]) -> Shape {
     Shape::Triangle(Triangle { corners })
@@ -34,6 +39,19 @@ fn agree(shapes: &[Shape], rays: &[(Ray, Interval)]) -> Result<(), String> {
             let any = tree.any(shapes, ray, *interval, &mut Silent);
             if any.is_some() != expected.is_some() {
                 return Err(format!("{kind:?}: any for {ray:?} {interval:?}: {any:?}"));
+            }
+        }
+        // All at once: the same again.
+        let mut closest = vec![None; rays.len()];
+        tree.closest_many(shapes, rays, &mut closest);
+        let mut any = vec![false; rays.len()];
+        tree.any_many(shapes, rays, &mut any);
+        for (((ray, interval), closest), any) in rays.iter().zip(closest).zip(any) {
+            let expected = bits(list.closest(shapes, ray, *interval, &mut Silent));
+            if (expected, expected.is_some()) != (bits(closest), any) {
+                return Err(format!(
+                    "{kind:?}, in a bundle: {ray:?} {interval:?}: {closest:?} {any}, the list {expected:?}"
+                ));
             }
         }
     }

@@ -17,10 +17,10 @@ mod classify;
 mod sah;
 mod traverse;
 
+use super::slack::Slack;
 use super::{AccelKind, AccelStats, NodeView};
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
-use crate::math::rounding::UNIT_ROUNDOFF;
 use crate::probe::NONE;
 
 /// No tree is deeper, so a traversal's stack has a fixed size.
@@ -64,39 +64,6 @@ struct Node {
     first: u32,
     /// How many they are.
     count: u32,
-}
-
-/// How thick a plane must be taken, so that no hit slips by unseen.
-///
-/// With all coordinates below `reach` and a ray from o, these errors add up, in units of u (reach + |o|): the tests
-/// of triangles (40), spheres (64) or boxes (6); telling a point's side when the tree was built (40); cutting, at
-/// most 4 for each of 62 planes; the traversal's own distance and division (32). The sum is below 512; it is doubled
-/// once more, since thick planes cost nothing. Shapes that are tested in their own space add the square of their
-/// transform's condition number, 64 times: the inverse is only known that well.
-#[derive(Clone, Copy, Debug)]
-struct Slack {
-    factor: f64,
-    reach: f64,
-}
-
-impl Slack {
-    /// Shapes whose transform is worse conditioned than this are not put into the tree.
-    const MAX_CONDITION: f64 = 4096.0;
-    /// Nor are shapes with coordinates beyond this, whose areas would overflow.
-    const MAX_REACH: f64 = 1e150;
-
-    /// For coordinates up to `reach` and transforms of this condition number at most (0: none).
-    fn new(reach: f64, condition: f64) -> Self {
-        Self {
-            factor: (1024.0 + 64.0 * condition * condition) * UNIT_ROUNDOFF,
-            reach,
-        }
-    }
-
-    /// The thickness on each side, in metres, for a ray from `origin`.
-    fn around(&self, origin: DVec3) -> f64 {
-        self.factor * (self.reach + origin.abs().max_element())
-    }
 }
 
 impl Bsp {

@@ -83,6 +83,8 @@ enum AccelArg {
     BspAxis,
     /// A BSP tree split by the scene's own polygons
     BspPolygon,
+    /// A tree of boxes, eight to a node: the fast one
+    Wide,
 }
 
 impl SettingsArgs {
@@ -112,6 +114,7 @@ impl SettingsArgs {
                 AccelArg::Bsp => AccelKind::Bsp,
                 AccelArg::BspAxis => AccelKind::BspAxis,
                 AccelArg::BspPolygon => AccelKind::BspPolygon,
+                AccelArg::Wide => AccelKind::Wide,
             }),
             max_rays: self.max_rays.unwrap_or(asked.max_rays),
         }

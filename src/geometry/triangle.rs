@@ -22,11 +22,12 @@ pub struct Triangle {
 /// makes the test watertight.
 #[derive(Clone, Copy, Debug)]
 pub struct Shear {
-    origin: DVec3,
+    /// The ray's origin.
+    pub origin: DVec3,
     /// The axes that take the parts of x, y and z: z is where the direction is longest.
-    axes: [usize; 3],
+    pub axes: [usize; 3],
     /// x' = x - s.x z, y' = y - s.y z, z' = s.z z.
-    s: DVec3,
+    pub s: DVec3,
 }
 
 impl Shear {
@@ -164,7 +165,7 @@ fn edge(p: DVec3, q: DVec3) -> (f64, bool) {
 }
 
 /// If the areas add up to less than this part of the products that they are differences of, too many bits are gone.
-const CANCELLED: f64 = 1.0 / 64.0;
+pub const CANCELLED: f64 = 1.0 / 64.0;
 
 /// How large the products in an edge function are.
 fn products(p: DVec3, q: DVec3) -> f64 {

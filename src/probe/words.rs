@@ -40,7 +40,10 @@ impl Choice {
             Self::Both | Self::BothInDoubt => "both",
             Self::NearSplitBeyond | Self::NearRunsAway => "near",
             Self::FarSplitBefore => "far",
-            Self::Leaf | Self::SkippedCloserHit | Self::SkippedOutside => "none",
+            Self::Children => "children",
+            Self::Leaf | Self::SkippedCloserHit | Self::SkippedOutside | Self::SkippedMissed => {
+                "none"
+            }
         }
     }
 
@@ -57,6 +60,8 @@ impl Choice {
             Self::FarSplitBefore => "near side skipped: the plane is crossed before the interval",
             Self::SkippedCloserHit => "skipped: a hit is known before the ray enters the node",
             Self::SkippedOutside => "skipped: the ray misses the box around the scene",
+            Self::Children => "the children whose boxes are met follow, nearest first",
+            Self::SkippedMissed => "skipped: the ray misses its box",
         }
     }
 }

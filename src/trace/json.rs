@@ -247,7 +247,7 @@ enum Step {
         interval: [Option<f64>; 2],
         near: Option<u32>,
         far: Option<u32>,
-        /// "near", "far", "both" or "none".
+        /// "near", "far", "both", "children" or "none".
         visit: &'static str,
         reason: &'static str,
     },

@@ -87,6 +87,8 @@ fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
         Choice::FarSplitBefore => format!(" far {far}, not {near}: plane before"),
         Choice::SkippedCloserHit => " skipped: a closer hit is known".to_owned(),
         Choice::SkippedOutside => " skipped: outside the box".to_owned(),
+        Choice::Children => " the children it meets, nearest first".to_owned(),
+        Choice::SkippedMissed => " skipped: misses its box".to_owned(),
     };
     let [t0, t1] = visit.interval.map(short);
     let plane = session.world.accel.plane(visit.node);
@@ -102,7 +104,7 @@ fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
     let place = format!("  {plane}inside t {t0}..{t1}");
     let skipped = matches!(
         visit.choice,
-        Choice::SkippedCloserHit | Choice::SkippedOutside
+        Choice::SkippedCloserHit | Choice::SkippedOutside | Choice::SkippedMissed
     );
     let style = if skipped { theme::dim() } else { Style::new() };
     vec![

@@ -1,10 +1,10 @@
 //! Growing the tree: one cell after the other gets a plane or becomes a leaf.
 
 use super::classify::{Item, Side, Splitter};
-use super::{Bsp, MAX_DEPTH, Node, Slack, sah};
+use super::{Bsp, MAX_DEPTH, Node, sah};
+use crate::accel::slack::{Slack, conditioning};
 use crate::geometry::{Aabb, Shape};
-use crate::math::DVec3;
-use crate::math::rounding::{UNIT_ROUNDOFF, gamma};
+use crate::math::rounding::UNIT_ROUNDOFF;
 
 /// How many references there are at most, for each primitive.
 const MAX_REFERENCES: usize = 8;
@@ -82,24 +82,6 @@ pub fn build(shapes: &[Shape], polygons: bool) -> Bsp {
         });
     }
     builder.tree
-}
-
-/// The largest number that a shape is made of, and how much its transform magnifies errors (0 without one).
-fn conditioning(shape: &Shape) -> (f64, f64) {
-    let bounds = shape.bounds().unwrap_or(Aabb::EMPTY);
-    let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
-    let Shape::Placed(placed) = shape else {
-        return (reach, 0.0);
-    };
-    let local = placed.shape.bounds().unwrap_or(Aabb::EMPTY);
-    // The error of a transformed point is gamma_3 times the sum of the numbers it was made of.
-    let rounded = |corner| placed.transform.point_error(corner, DVec3::ZERO);
-    let largest = local
-        .corners()
-        .into_iter()
-        .map(|corner| rounded(corner).max_element() / gamma(3))
-        .fold(reach, f64::max);
-    (largest, placed.transform.condition())
 }
 
 impl Builder<'_> {

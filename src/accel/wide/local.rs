@@ -1,0 +1,176 @@
+//! Rays and boxes in single precision, and why no hit is lost.
+//!
+//! The tree's boxes are moved and scaled so that they lie in [-1, 1] (in double precision), then rounded outwards to
+//! single precision. A ray is moved and scaled alike; if it starts far away it is first brought near, in double
+//! precision. There t becomes t' = (t - start) rate, which is never negative inside the interval.
+//!
+//! In units of u = 2^-24, and with r the largest coordinate of the ray's origin, a plane's t' = plane / d - o / d is
+//! as wrong as if the plane was off by: rounding o (r), rounding d (1 + r), lifting d off zero (less than 1 + r),
+//! rounding 1/d (1 + r), o / d (r), its sum with the pad (r + 1), plane / d (1) and the difference (2 + r); in all
+//! 7 r + 8. Every plane is moved outwards by the double, 16 (1 + r), and by the slack that the shapes' tests need.
+//! So a box that holds a hit is entered at or before that hit's t' and left at or after it, as computed.
+
+use crate::accel::slack::Slack;
+use crate::geometry::Aabb;
+use crate::math::{DVec3, Interval, Ray};
+
+/// 2^-24, the unit roundoff of `f32`.
+const U: f64 = f32::EPSILON as f64 / 2.0;
+
+/// Rays that start farther away, in units of half the scene, are brought near.
+const FAR: f64 = 16.0;
+
+/// No direction is flatter, so its inverse stays finite: 2^-40. Over the scene that is an error of less than u.
+const FLATTEST: f32 = 1.0 / (1u64 << 40) as f32;
+
+/// Where the tree's own space lies in the world.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    /// Around all that is in the tree.
+    bounds: Aabb,
+    center: DVec3,
+    scale: f64,
+    slack: Slack,
+}
+
+/// A ray in the tree's space.
+#[derive(Clone, Copy, Debug)]
+pub struct Local {
+    /// Where it starts, and how far every plane is moved outwards.
+    pub origin: [f32; 3],
+    pub pad: f32,
+    /// 1 / direction; never 0, infinite or NaN.
+    pub inverse: [f32; 3],
+    /// Near planes are at t' = plane inverse - near, far ones at plane inverse - far.
+    pub near: [f32; 3],
+    pub far: [f32; 3],
+    /// 1 where the direction is negative, so that the near plane is the larger one.
+    pub backwards: [usize; 3],
+    /// t' = (t - start) rate.
+    pub start: f64,
+    pub rate: f64,
+    /// The part of the ray that counts, rounded outwards; min is not negative.
+    pub min: f32,
+    pub max: f32,
+}
+
+/// What to do with a ray.
+pub enum Plan {
+    /// Nothing: it misses everything.
+    Miss,
+    /// Test everything: no useful bound is known.
+    TestAll,
+    /// Follow it through the tree.
+    Follow(Local),
+}
+
+impl Frame {
+    /// The space in which `bounds` fills [-1, 1].
+    pub fn new(bounds: Aabb, slack: Slack) -> Self {
+        // Not smaller than the slack is thick: there is nothing to tell apart.
+        let half = 0.5 * bounds.size().max_element();
+        let least = 16.0 * slack.around(DVec3::ZERO);
+        Self {
+            bounds,
+            center: bounds.center(),
+            scale: 1.0 / half.max(least).max(1e-150),
+            slack,
+        }
+    }
+
+    /// A world space box, rounded outwards.
+    pub fn outwards(&self, b: Aabb) -> ([f32; 3], [f32; 3]) {
+        let inside = |p: DVec3| ((p - self.center) * self.scale).to_array();
+        let (min, max) = (inside(b.min), inside(b.max));
+        (min.map(round_down), max.map(round_up))
+    }
+
+    /// A ray in this space.
+    #[inline(always)]
+    pub fn plan(&self, ray: &Ray, interval: Interval) -> Plan {
+        if interval.min.partial_cmp(&interval.max) != Some(std::cmp::Ordering::Less) {
+            return Plan::Miss;
+        }
+        let longest = ray.direction.abs().max_element();
+        let unit = if longest >= 0.5 && longest <= 1.0 {
+            1.0
+        } else {
+            longest
+        };
+        let rate = self.scale * unit;
+        let usable = rate > 1e-200 && rate < 1e200 && ray.direction.is_finite();
+        if !usable || !ray.origin.is_finite() {
+            return Plan::TestAll;
+        }
+        let slack = self.slack.around(ray.origin);
+        let (mut start, mut o) = (0.0, (ray.origin - self.center) * self.scale);
+        let far = |o: DVec3| !(o.abs().max_element() <= FAR);
+        if far(o) || interval.min < 0.0 {
+            let bounds = self.bounds.padded(DVec3::splat(slack));
+            let Some(inside) = bounds.clip(ray, interval) else {
+                return Plan::Miss;
+            };
+            start = inside.min;
+            o = (ray.at(start) - self.center) * self.scale;
+        }
+        let pad = slack * self.scale + 16.0 * U * (1.0 + o.abs().max_element());
+        if far(o) || !(pad < 1.0) {
+            return Plan::TestAll;
+        }
+
+        let (origin, pad) = (o.as_vec3().to_array(), round_up(pad));
+        let d = if unit == 1.0 {
+            ray.direction
+        } else {
+            ray.direction / unit
+        };
+        let inverse = d.to_array().map(|d| {
+            let d = d as f32;
+            1.0 / if d.abs() < FLATTEST {
+                FLATTEST.copysign(d)
+            } else {
+                d
+            }
+        });
+        let on = |side: f32| {
+            std::array::from_fn(|k| origin[k] * inverse[k] + side * pad * inverse[k].abs())
+        };
+        Plan::Follow(Local {
+            origin,
+            pad,
+            inverse,
+            near: on(1.0),
+            far: on(-1.0),
+            backwards: inverse.map(|i| usize::from(i < 0.0)),
+            start,
+            rate,
+            min: round_down((interval.min - start) * rate).max(0.0),
+            max: round_up((interval.max - start) * rate),
+        })
+    }
+}
+
+impl Local {
+    /// A t' that is not before a hit at t.
+    #[inline(always)]
+    pub fn not_before(&self, t: f64) -> f32 {
+        round_up((t - self.start) * self.rate)
+    }
+
+    /// The t of a t', about.
+    pub fn world(&self, t: f32) -> f64 {
+        f64::from(t) / self.rate + self.start
+    }
+}
+
+/// A single-precision number that is not greater, by more than x's own rounding.
+#[inline(always)]
+pub fn round_down(x: f64) -> f32 {
+    (x as f32).next_down()
+}
+
+/// A single-precision number that is not smaller, by more than x's own rounding.
+#[inline(always)]
+pub fn round_up(x: f64) -> f32 {
+    (x as f32).next_up()
+}
