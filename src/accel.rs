@@ -174,6 +174,11 @@ impl Accel {
         }
     }
 
+    /// Whether asking for many rays at once is quicker than one by one.
+    pub fn gains_from_bundles(&self) -> bool {
+        matches!(self, Self::Wide(_))
+    }
+
     /// The closest hits of many rays, each inside its own interval: what [`Accel::closest`] says of each. Rays that
     /// start close to each other and go the same way should stand next to each other; that is what makes it fast.
     /// Answers as many as both slices have room for.
@@ -196,27 +201,6 @@ impl Accel {
         if let Self::Wide(wide) = self {
             return wide.any_many(shapes, rays, out);
         }
-        for ((ray, interval), out) in rays.iter().zip(out) {
-            *out = self.any(shapes, ray, *interval, &mut Silent).is_some();
-        }
-    }
-
-    /// The closest hits of many rays, each inside its own interval: what [`Accel::closest`] says of each. Rays that
-    /// start close to each other and go the same way should stand next to each other; that is what makes it fast.
-    /// Answers as many as both slices have room for.
-    pub fn closest_many(
-        &self,
-        shapes: &[Shape],
-        rays: &[(Ray, Interval)],
-        out: &mut [Option<Hit>],
-    ) {
-        for ((ray, interval), out) in rays.iter().zip(out) {
-            *out = self.closest(shapes, ray, *interval, &mut Silent);
-        }
-    }
-
-    /// Whether each of many rays hits anything inside its interval, as [`Accel::any`] says; in the same order.
-    pub fn any_many(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
         for ((ray, interval), out) in rays.iter().zip(out) {
             *out = self.any(shapes, ray, *interval, &mut Silent).is_some();
         }

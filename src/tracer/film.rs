@@ -66,14 +66,15 @@ impl Tile {
         }
     }
 
-    /// The tile's pixels, row after row: asked for in bundles if nobody listens, else one by one.
+    /// The tile's pixels, row after row: asked for in bundles if that is quicker and nobody listens, else one
+    /// by one.
     fn render<P: Probe + Default>(self, world: &World, settings: &Settings) -> Done<P> {
         let mut probe = P::default();
         let columns = self.x[1] - self.x[0];
         let count = (columns * (self.y[1] - self.y[0])) as usize;
         let mut pixels = vec![Pixel::NEW; count];
         let place = |(x, y): (u32, u32)| ((y - self.y[0]) * columns + (x - self.x[0])) as usize;
-        if P::LISTENS {
+        if P::LISTENS || !world.accel.gains_from_bundles() {
             for at in
                 (self.y[0]..self.y[1]).flat_map(|y| (self.x[0]..self.x[1]).map(move |x| (x, y)))
             {
