@@ -9,6 +9,7 @@ pub mod error;
 pub mod file;
 mod files;
 mod generated;
+mod lecture;
 pub mod limits;
 mod load;
 mod mesh;

@@ -1,26 +1,31 @@
 //! The scenes that the program computes when they are asked for, by name or by name and size: `spd:balls:3`.
 
-use super::Scene;
 use super::error::{Problem, SceneError};
 use super::limits::MAX_PRIMITIVES;
 use super::spd::{KINDS, Kind};
+use super::{Scene, lecture};
 
 /// The names as a user writes them, with the size that is meant if none is given, and what each scene shows.
 pub fn list() -> Vec<(String, &'static str)> {
-    KINDS
-        .iter()
-        .map(|kind| (format!("{}:{}", kind.name, kind.size), kind.note))
-        .collect()
+    let sized = KINDS.iter().map(|kind| {
+        let name = format!("{}:{}", kind.name, kind.size);
+        (name, kind.note)
+    });
+    let lecture = (lecture::NAME.to_string(), lecture::NOTE);
+    std::iter::once(lecture).chain(sized).collect()
 }
 
 /// The names without a size.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    KINDS.iter().map(|kind| kind.name)
+    std::iter::once(lecture::NAME).chain(KINDS.iter().map(|kind| kind.name))
 }
 
 /// The scene that `spec` names; `None` if it names none of these. It is an error if the size is no number or too
 /// large.
 pub fn load(spec: &str) -> Option<Result<Scene, SceneError>> {
+    if spec == lecture::NAME {
+        return lecture::scene().map(Ok);
+    }
     let kind = KINDS.iter().find(|kind| {
         let rest = spec.strip_prefix(kind.name);
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(':'))
