@@ -1,13 +1,15 @@
 //! What there is: the scene as the tracer sees it, resolved, checked and in world space.
 //!
-//! [`load()`] makes it from a built-in scene, a JSON file or an OBJ file; what passed there cannot make the tracer
-//! panic.
+//! [`load()`] makes it from a built-in scene, one that is computed, a JSON file or an OBJ file; what passed there cannot
+//! make the tracer panic.
 
 pub mod builtin;
 pub mod camera;
 pub mod error;
 pub mod file;
 mod files;
+mod generated;
+mod lecture;
 pub mod limits;
 mod load;
 mod mesh;
@@ -15,9 +17,12 @@ mod nearest;
 mod obj;
 mod resolve;
 pub mod settings;
+mod sketch;
+mod spd;
 
 pub use camera::Camera;
 pub use error::SceneError;
+pub use generated::list as generated;
 pub use load::{list, load};
 pub use settings::{Sampling, Settings};
 

@@ -13,7 +13,11 @@ pub struct Scenes {
 
 impl Scenes {
     pub fn run(&self) -> Result<Done, Failure> {
-        let scenes = crate::scene::list();
+        let built_in = crate::scene::list().into_iter();
+        let built_in = built_in.map(|(name, note)| (name.to_owned(), note));
+        let generated = crate::scene::generated().into_iter();
+        let generated = generated.map(|(name, note)| (name, note.to_owned()));
+        let scenes: Vec<(String, String)> = built_in.chain(generated).collect();
         if self.json {
             let list: Vec<_> = scenes
                 .iter()

@@ -1,4 +1,4 @@
-//! The ways to a scene: by the name of a built-in one, from a scene file, from an OBJ file.
+//! The ways to a scene: by the name of a built-in or computed one, from a scene file, from an OBJ file.
 
 use std::path::Path;
 
@@ -10,16 +10,19 @@ use super::file::{
 use super::files::Files;
 use super::nearest::nearest;
 use super::resolve::resolve;
-use super::{Camera, Scene, builtin};
+use super::{Camera, Scene, builtin, generated};
 use crate::geometry::Aabb;
 use crate::math::{DVec3, Rgb};
 
-/// The scene that `spec` stands for: the name of a built-in scene, or the path of a `.json` or `.obj` file.
+/// The scene that `spec` stands for: the name of a built-in scene or of one that is computed, or the path of a `.json` or `.obj` file.
 pub fn load(spec: &str) -> Result<Scene, SceneError> {
     if let Some(text) = builtin::scene(spec) {
         let mut files = Files::embedded();
         files.take(text.as_bytes());
         return resolve(&parse(text, spec)?, spec, files);
+    }
+    if let Some(scene) = generated::load(spec) {
+        return scene;
     }
     let path = Path::new(spec);
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
@@ -47,7 +50,7 @@ pub fn list() -> Vec<(&'static str, String)> {
 }
 
 fn unknown(spec: &str) -> Problem {
-    let names: Vec<&str> = builtin::names().collect();
+    let names: Vec<&str> = builtin::names().chain(generated::names()).collect();
     let listed = names.join(", ");
     if Path::new(spec).exists() {
         return Problem::new(
