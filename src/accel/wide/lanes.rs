@@ -39,15 +39,41 @@ pub fn inside<const N: usize>(u: &[f64; N], v: &[f64; N], w: &[f64; N]) -> [f64;
     })
 }
 
-/// The same ray for all lanes, the triangles of a block: not negative where the triangle may be hit.
-#[inline(always)]
-pub fn candidates<const N: usize>(corners: &[[[f64; N]; 3]; 3], shear: &Shear) -> [f64; N] {
-    let axes = shear.axes;
-    let (o, s) = (axes.map(|axis| shear.origin[axis]), [shear.s.x, shear.s.y]);
-    let see = |corner: &[[f64; N]; 3]| {
-        let rows = axes.map(|axis| &corner[axis]);
-        seen::<N>(|k, i| rows[k][i], |k, _| o[k], |k, _| s[k])
-    };
-    let [a, b, c] = [see(&corners[0]), see(&corners[1]), see(&corners[2])];
-    inside(&edge(&b, &c), &edge(&c, &a), &edge(&a, &b))
+/// One ray for all lanes, which are the triangles of a block.
+#[derive(Clone, Copy)]
+pub struct Sight {
+    axes: [usize; 3],
+    origin: [f64; 3],
+    slope: [f64; 2],
+}
+
+impl Sight {
+    /// The ray whose view `shear` is.
+    #[inline(always)]
+    pub fn new(shear: &Shear) -> Self {
+        let [x, y, z] = shear.axes;
+        let o = shear.origin;
+        Self {
+            axes: shear.axes,
+            origin: [o[x], o[y], o[z]],
+            slope: [shear.s.x, shear.s.y],
+        }
+    }
+
+    /// Not negative where the triangle may be hit. The corners come as in a block: of each coordinate each corner.
+    #[inline(always)]
+    pub fn candidates<const N: usize>(&self, corners: &[[[f64; N]; 3]; 3]) -> [f64; N] {
+        let [x, y, z] = self.axes;
+        let (x, y, z) = (&corners[x], &corners[y], &corners[z]);
+        let see = |c: usize| {
+            let rows = [&x[c], &y[c], &z[c]];
+            seen::<N>(
+                |k, i| rows[k][i],
+                |k, _| self.origin[k],
+                |k, _| self.slope[k],
+            )
+        };
+        let [a, b, c] = [see(0), see(1), see(2)];
+        inside(&edge(&b, &c), &edge(&c, &a), &edge(&a, &b))
+    }
 }
