@@ -8,6 +8,7 @@ pub type Seen<const N: usize> = [[f64; N]; 2];
 
 /// x' = x - s.x z and y' = y - s.y z of corners (x, y, z) relative to the origin.
 #[inline(always)]
+#[allow(clippy::needless_range_loop)] // the plain loop is what becomes vector instructions
 pub fn seen<const N: usize>(
     corner: impl Fn(usize, usize) -> f64,
     origin: impl Fn(usize, usize) -> f64,

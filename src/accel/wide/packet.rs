@@ -307,10 +307,10 @@ impl Bounds {
     #[inline(always)]
     fn cross(&self, node: &Node, backwards: [usize; 3]) -> ([f32; WIDTH], [f32; WIDTH]) {
         let (mut enter, mut leave) = ([self.min; WIDTH], [self.max; WIDTH]);
-        for k in 0..3 {
+        for (k, backwards) in backwards.into_iter().enumerate() {
             let (n, f) = (
-                &node.planes[2 * k + backwards[k]],
-                &node.planes[2 * k + 1 - backwards[k]],
+                &node.planes[2 * k + backwards],
+                &node.planes[2 * k + 1 - backwards],
             );
             for i in 0..WIDTH {
                 let d = n[i] - self.near[k];
