@@ -1,6 +1,9 @@
 //! Double-precision triangle tests, several at once: the operations of [`crate::geometry::Triangle`] in the same
 //! order, so that the results have the same bits.
 
+// Plain loops are what becomes vector instructions.
+#![allow(clippy::needless_range_loop)]
+
 use crate::geometry::Shear;
 
 /// What one lane knows of a corner, seen along its ray.
@@ -8,7 +11,6 @@ pub type Seen<const N: usize> = [[f64; N]; 2];
 
 /// x' = x - s.x z and y' = y - s.y z of corners (x, y, z) relative to the origin.
 #[inline(always)]
-#[allow(clippy::needless_range_loop)] // the plain loop is what becomes vector instructions
 pub fn seen<const N: usize>(
     corner: impl Fn(usize, usize) -> f64,
     origin: impl Fn(usize, usize) -> f64,
@@ -26,7 +28,11 @@ pub fn seen<const N: usize>(
 /// The edge functions q x p of edges p -> q, as far as they do not vanish.
 #[inline(always)]
 pub fn edge<const N: usize>(p: &Seen<N>, q: &Seen<N>) -> [f64; N] {
-    std::array::from_fn(|i| q[0][i] * p[1][i] - q[1][i] * p[0][i])
+    let mut out = [0.0; N];
+    for i in 0..N {
+        out[i] = q[0][i] * p[1][i] - q[1][i] * p[0][i];
+    }
+    out
 }
 
 /// Not negative if the ray may pass all three edges on the same side; an edge function of 0 leaves that open.
@@ -34,10 +40,13 @@ pub fn edge<const N: usize>(p: &Seen<N>, q: &Seen<N>) -> [f64; N] {
 pub fn inside<const N: usize>(u: &[f64; N], v: &[f64; N], w: &[f64; N]) -> [f64; N] {
     let min = |a: f64, b: f64| if a < b { a } else { b };
     let max = |a: f64, b: f64| if a > b { a } else { b };
-    std::array::from_fn(|i| {
-        let (least, most) = (min(min(u[i], v[i]), w[i]), max(max(u[i], v[i]), w[i]));
-        max(least, -most)
-    })
+    let mut out = [0.0; N];
+    for i in 0..N {
+        let least = min(min(u[i], v[i]), w[i]);
+        let most = max(max(u[i], v[i]), w[i]);
+        out[i] = max(least, -most);
+    }
+    out
 }
 
 /// One ray for all lanes, which are the triangles of a block.
