@@ -209,6 +209,7 @@ impl Accel {
 
 impl<'a> Query<'a> {
     /// Prepares `ray` for tests against `shapes`.
+    #[inline]
     pub fn new(shapes: &'a [Shape], ray: &Ray, interval: Interval) -> Self {
         Self {
             shapes,

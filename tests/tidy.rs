@@ -11,6 +11,9 @@ const LAYERS: [&str; 10] = [
 /// The faces: only they may talk to a user. Each may use all the rest.
 const FACES: [&str; 2] = ["cli", "tui"];
 
+/// The one file that may be `unsafe`: it calls what was compiled for the instructions that it found.
+const UNSAFE: &str = "accel/simd.rs";
+
 /// A file of more lines holds more than one concept.
 const LONGEST: usize = 450;
 
@@ -122,7 +125,8 @@ fn only_faces_print_and_only_main_exits() {
         }
         assert!(!code.contains("process::exit"), "{name} exits");
         for word in ["todo!(", "unimplemented!(", "unsafe {"] {
-            assert!(!code.contains(word), "{name} uses {word}");
+            let allowed = word == "unsafe {" && name.replace('\\', "/") == UNSAFE;
+            assert!(allowed || !code.contains(word), "{name} uses {word}");
         }
     }
 }

@@ -66,7 +66,7 @@ struct Node {
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 struct Block {
-    /// The corners of four triangles in world space: of each corner each coordinate, of all four. All NaN where there
+    /// The corners of four triangles in world space: of each coordinate each corner, of all four. All NaN where there
     /// is no primitive, and all 0 for shapes that are not triangles.
     corners: [[[f64; LEAF]; 3]; 3],
     /// Which they are; [`NONE`] where there is none.

@@ -32,6 +32,7 @@ pub struct Shear {
 
 impl Shear {
     /// The view along `ray`.
+    #[inline]
     pub fn new(ray: &Ray) -> Self {
         let d = ray.direction;
         let abs = d.abs();
@@ -55,6 +56,7 @@ impl Shear {
     }
 
     /// A point in the ray's view; z is its ray parameter.
+    #[inline]
     fn view(&self, p: DVec3) -> DVec3 {
         let p = p - self.origin;
         let [x, y, z] = self.axes.map(|axis| p[axis]);
@@ -75,6 +77,7 @@ pub struct Edges {
 
 impl Triangle {
     /// The edge functions of the ray whose view `shear` is.
+    #[inline]
     pub fn edges(&self, shear: &Shear) -> Edges {
         let [a, b, c] = self.corners.map(|p| shear.view(p));
         let edges = [edge(b, c), edge(c, a), edge(a, b)];
@@ -94,6 +97,7 @@ impl Triangle {
     }
 
     /// The crossing inside the interval. A triangle seen edge-on, or without area, is missed.
+    #[inline]
     pub fn intersect(&self, shear: &Shear, interval: Interval) -> Intersection {
         let Edges {
             functions: [u, v, w],
@@ -147,6 +151,7 @@ impl Triangle {
 ///
 /// The neighbour across the edge asks for q -> p and gets the negative of the function and the opposite side, so
 /// that the ray is inside exactly one of the two.
+#[inline]
 fn edge(p: DVec3, q: DVec3) -> (f64, bool) {
     let (m, n) = (q.x * p.y, q.y * p.x);
     let value = m - n;

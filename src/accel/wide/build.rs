@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use glam::Vec3A;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb as Box32;
 use obvhs::bvh2::builder::build_bvh2;
@@ -56,9 +57,13 @@ pub fn build(shapes: &[Shape]) -> Wide {
     }
     let boxes: Vec<Box32> = bounds
         .iter()
-        .map(|&b| {
+        .zip(0..)
+        .map(|(&b, index)| {
             let (min, max) = wide.frame.outwards(b);
-            Box32::new(min.into(), max.into())
+            let grow = jitter(index);
+            let min = std::array::from_fn(|k| min[k] - grow[k]);
+            let max = std::array::from_fn(|k| max[k] + grow[k]);
+            Box32::new(Vec3A::from_array(min), Vec3A::from_array(max))
         })
         .collect();
     drop(bounds);
@@ -67,6 +72,17 @@ pub fn build(shapes: &[Shape]) -> Wide {
         collapse(&mut wide, &halved(&boxes), &ids, shapes);
     }
     wide
+}
+
+/// How much a box is grown: by at most 2^-18, which is as thick as planes are taken anyway, and at random. Boxes that
+/// are all equal would all choose the same neighbour, and clustering would take time that grows with their square.
+fn jitter(index: u64) -> [f32; 3] {
+    let bits = (index + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let bits = (bits ^ (bits >> 32)).wrapping_mul(0xd6e8_feb8_6659_fd93);
+    [0, 21, 42].map(|shift| {
+        let part = (bits ^ (bits >> 32)) >> shift & 0x1f_ffff;
+        part as f32 / (1u64 << 39) as f32
+    })
 }
 
 /// The good tree.
@@ -182,7 +198,7 @@ fn block(leaf: &[u32], ids: &[u32], shapes: &[Shape]) -> Block {
     for (lane, &primitive) in block.primitives.iter().enumerate().take(leaf.len()) {
         for corner in 0..3 {
             for axis in 0..3 {
-                block.corners[corner][axis][lane] = match &shapes[primitive as usize] {
+                block.corners[axis][corner][lane] = match &shapes[primitive as usize] {
                     Shape::Triangle(triangle) => triangle.corners[corner][axis],
                     _ => 0.0,
                 };

@@ -92,7 +92,7 @@ impl Frame {
             return Plan::Miss;
         }
         let longest = ray.direction.abs().max_element();
-        let unit = if longest >= 0.5 && longest <= 1.0 {
+        let unit = if (0.5..=1.0).contains(&longest) {
             1.0
         } else {
             longest
@@ -104,8 +104,8 @@ impl Frame {
         }
         let slack = self.slack.around(ray.origin);
         let (mut start, mut o) = (0.0, (ray.origin - self.center) * self.scale);
-        let far = |o: DVec3| !(o.abs().max_element() <= FAR);
-        if far(o) || interval.min < 0.0 {
+        let near = |o: DVec3| o.abs().max_element() <= FAR;
+        if !near(o) || interval.min < 0.0 {
             let bounds = self.bounds.padded(DVec3::splat(slack));
             let Some(inside) = bounds.clip(ray, interval) else {
                 return Plan::Miss;
@@ -114,7 +114,8 @@ impl Frame {
             o = (ray.at(start) - self.center) * self.scale;
         }
         let pad = slack * self.scale + 16.0 * U * (1.0 + o.abs().max_element());
-        if far(o) || !(pad < 1.0) {
+        let known = near(o) && pad < 1.0;
+        if !known {
             return Plan::TestAll;
         }
 

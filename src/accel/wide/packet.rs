@@ -221,6 +221,8 @@ impl Packet {
                     break child;
                 }
                 let block = &wide.blocks[(child & !BLOCK) as usize];
+                let [x, y, z] = self.axes;
+                let rows = [&block.corners[x], &block.corners[y], &block.corners[z]];
                 let mut hit = false;
                 for (lane, &primitive) in block.primitives().iter().enumerate() {
                     for (h, half) in self.halves.iter_mut().enumerate() {
@@ -228,10 +230,7 @@ impl Packet {
                         if met == 0 {
                             continue;
                         }
-                        let corners = std::array::from_fn(|corner| {
-                            self.axes.map(|axis| block.corners[corner][axis][lane])
-                        });
-                        let (taken, mut rare) = half.cross(level, &corners, primitive, met);
+                        let (taken, mut rare) = half.cross(level, rows, lane, primitive, met);
                         hit |= taken != 0 || rare != 0;
                         while rare != 0 {
                             let i = rare.trailing_zeros() as usize;
@@ -308,10 +307,10 @@ impl Bounds {
     #[inline(always)]
     fn cross(&self, node: &Node, backwards: [usize; 3]) -> ([f32; WIDTH], [f32; WIDTH]) {
         let (mut enter, mut leave) = ([self.min; WIDTH], [self.max; WIDTH]);
-        for k in 0..3 {
+        for (k, backwards) in backwards.into_iter().enumerate() {
             let (n, f) = (
-                &node.planes[2 * k + backwards[k]],
-                &node.planes[2 * k + 1 - backwards[k]],
+                &node.planes[2 * k + backwards],
+                &node.planes[2 * k + 1 - backwards],
             );
             for i in 0..WIDTH {
                 let d = n[i] - self.near[k];

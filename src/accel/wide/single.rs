@@ -1,7 +1,8 @@
 //! One ray through the tree, the nearest boxes first.
 
+use super::lanes::Sight;
 use super::local::{Local, Plan};
-use super::{BLOCK, Block, DEEP, Node, WIDTH, Wide, lanes};
+use super::{BLOCK, Block, DEEP, Node, WIDTH, Wide};
 use crate::accel::Query;
 use crate::accel::simd::{Level, Task};
 use crate::geometry::Hit;
@@ -97,6 +98,7 @@ fn follow<const DEPTH: usize, const ANY: bool, L: Level, P: Probe>(
 ) {
     // Children that wait, the nearest on top: where the ray enters (not negative, so its bits sort as it does), and
     // which.
+    let sight = Sight::new(&query.shear);
     let mut stack = [0u64; DEPTH];
     let mut waiting = 0;
     let mut max = best.map_or(local.max, |hit| smaller(local.max, local.not_before(hit.t)));
@@ -147,7 +149,7 @@ fn follow<const DEPTH: usize, const ANY: bool, L: Level, P: Probe>(
                 let part = [local.world(enter), local.world(max)];
                 probe.event(step(wide.number(child), part, Choice::Leaf, [NONE; 2]));
             }
-            if test_block::<ANY, L, P>(level, query, block, best, probe) {
+            if test_block::<ANY, L, P>(level, query, &sight, block, best, probe) {
                 return;
             }
             if let Some(hit) = best {
@@ -191,6 +193,7 @@ fn cross<L: Level>(level: L, node: &Node, local: &Local, max: f32) -> ([f32; WID
 fn test_block<const ANY: bool, L: Level, P: Probe>(
     level: L,
     query: &Query,
+    sight: &Sight,
     block: &Block,
     best: &mut Option<Hit>,
     probe: &mut P,
@@ -198,7 +201,7 @@ fn test_block<const ANY: bool, L: Level, P: Probe>(
     if P::TRAVERSAL {
         return test::<ANY, P>(query, block.primitives(), best, probe);
     }
-    let mut candidates = level.positive4(&lanes::candidates(&block.corners, &query.shear));
+    let mut candidates = level.positive4(&sight.candidates(&block.corners));
     while candidates != 0 {
         let lane = candidates.trailing_zeros() as usize;
         candidates &= candidates - 1;

@@ -2,8 +2,8 @@
 
 use crate::accel::Query;
 use crate::accel::simd::Level;
-use crate::accel::wide::lanes;
 use crate::accel::wide::local::Local;
+use crate::accel::wide::{LEAF, lanes};
 use crate::geometry::triangle::CANCELLED;
 use crate::geometry::{Hit, Shear};
 use crate::math::Interval;
@@ -107,24 +107,31 @@ impl Half {
         }
     }
 
-    /// Tests a triangle, its coordinates in the order of the view, against the rays of the mask `met`. Returns which
+    /// Tests the triangle of a block's lane against the rays of the mask `met`. The coordinates come
+    /// in the order of the view, of each those of all corners. Returns which
     /// rays it is now the closest hit of, and for which the rare branches of the test are needed: those are left.
     #[inline(always)]
     pub fn cross<L: Level>(
         &mut self,
         level: L,
-        corners: &[[f64; 3]; 3],
+        corners: [&[[f64; LEAF]; 3]; 3],
+        lane: usize,
         primitive: u32,
         met: u32,
     ) -> (u32, u32) {
-        let see = |corner: &[f64; 3]| {
+        let see = |k: usize| {
+            let [x, y, z] = [
+                corners[0][k][lane],
+                corners[1][k][lane],
+                corners[2][k][lane],
+            ];
             lanes::seen::<HALF>(
-                |k, _| corner[k],
+                |k, _| [x, y, z][k],
                 |k, i| self.origin[k][i],
                 |k, i| self.slope[k][i],
             )
         };
-        let [a, b, c] = [see(&corners[0]), see(&corners[1]), see(&corners[2])];
+        let [a, b, c] = [see(0), see(1), see(2)];
         let [u, v, w] = [
             lanes::edge(&b, &c),
             lanes::edge(&c, &a),
@@ -137,7 +144,7 @@ impl Half {
 
         let area = row(|i| u[i] + v[i] + w[i]);
         let depths = [0, 1, 2].map(|k| {
-            let z = corners[k][2];
+            let z = corners[2][k][lane];
             row(|i| self.stretch[i] * (z - self.origin[2][i]))
         });
         let t =
