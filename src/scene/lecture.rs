@@ -119,7 +119,7 @@ mod tests {
         assert_eq!((scene.objects.len(), scene.shapes.len()), (1000, 1000));
         let places: Vec<DVec3> = scene.shapes[1..]
             .iter()
-            .filter_map(|s| s.bounds().map(|b| b.center()))
+            .filter_map(|s| Some(s.bounds()?.center()))
             .collect();
         for (i, p) in places.iter().enumerate() {
             for q in &places[..i] {

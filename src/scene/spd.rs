@@ -182,9 +182,8 @@ impl Spd {
         let (axis, length) = ((apex - base).normalize(), (apex - base).length());
         let Frame { u, v, .. } = Frame::around(axis);
         let step = std::f64::consts::TAU / f64::from(SIDES);
-        let sides = [0; SIDES as usize + 1].iter().zip(0..);
         // The last side is the first again, to the bit: no gap.
-        let around = sides.map(|(_, i)| {
+        let around = (0..=SIDES).map(|i| {
             let angle = step * f64::from(i % SIDES);
             libm::cos(angle) * u + libm::sin(angle) * v
         });
@@ -218,7 +217,7 @@ fn turn(axis: DVec3, angle: f64) -> DMat3 {
     DMat3::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z))
 }
 
-/// 1 + base + base^2 + ... + base^last.
+/// 1 + base + base^2 + ... + base^last, or the largest number if that is less. The base is at least 2.
 fn geometric_sum(base: u64, last: u32) -> u64 {
-    (0..=last).fold(0u64, |sum, n| sum.saturating_add(base.saturating_pow(n)))
+    (0..=last.min(64)).fold(0u64, |sum, n| sum.saturating_add(base.saturating_pow(n)))
 }

@@ -89,7 +89,7 @@ fn surface(ix: u32, iy: u32, iz: u32) -> Surface {
         color: color.map(|c| c / brightest),
         ..Surface::MATT
     };
-    if (ix * 4 + iy * 2 + iz) % 5 == 0 {
+    if (ix * 4 + iy * 2 + iz).is_multiple_of(5) {
         return Surface {
             diffuse: 0.2,
             transmission: 0.8,

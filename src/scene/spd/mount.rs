@@ -103,10 +103,10 @@ impl Mountain {
         let rise = f64::from(half) * self.spacing * self.roughness;
         // A point on an edge depends on its place alone, so that the neighbour finds the same height.
         let shift = |dx, dy| rise * gauss(SEED + self.hash(x + dx, y + dy));
-        let low = (a + b) / 2.0 + shift(half, 0);
-        let right = (b + c) / 2.0 + shift(width, half);
-        let up = (c + d) / 2.0 + shift(half, width);
-        let left = (d + a) / 2.0 + shift(0, half);
+        let low = f64::midpoint(a, b) + shift(half, 0);
+        let right = f64::midpoint(b, c) + shift(width, half);
+        let up = f64::midpoint(c, d) + shift(half, width);
+        let left = f64::midpoint(d, a) + shift(0, half);
         let middle = (a + b + c + d) / 4.0 + std::f64::consts::SQRT_2 * shift(half, half);
         self.grow(spd, [x, y], half, [a, low, middle, left]);
         self.grow(spd, [x + half, y], half, [low, b, right, middle]);
