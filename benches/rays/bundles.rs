@@ -132,12 +132,12 @@ pub fn table(meshes: &[(&str, Vec<Triangle>)]) {
             ("shadow", shadow(&ends)),
             ("bounce", bounce(&ends)),
         ] {
-            compare(mesh, kind, &accel, &other, &shapes, &rays);
+            compare(kind, &accel, &other, &shapes, &rays);
         }
     }
 }
 
-fn compare(mesh: &str, kind: &str, accel: &Accel, other: &Other, shapes: &[Shape], rays: &[Sent]) {
+fn compare(kind: &str, accel: &Accel, other: &Other, shapes: &[Shape], rays: &[Sent]) {
     let shadow = kind == "shadow";
     let theirs: Vec<_> = rays.iter().map(Other::ray).collect();
     let reference = || {
