@@ -51,6 +51,8 @@ impl Bsp {
         self.search::<true, P>(query, probe)
     }
 
+    // Never inlined: so that a build with and one without probe calls differ in nothing else.
+    #[inline(never)]
     fn search<const ANY: bool, P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
         let mut best = None;
         if test_all::<ANY, P>(query, &self.outside, &mut best, probe) || self.nodes.is_empty() {
