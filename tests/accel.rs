@@ -476,6 +476,38 @@ fn two_polygons_that_sent_another_library_into_endless_recursion() {
     assert_eq!(agree(&shapes, &rays), Ok(()));
 }
 
+/// Small triangles seen from as far as single precision is trusted, by rays that graze the corners of their boxes:
+/// there the rounding of a ray's origin is larger than all else, and only the bound for it keeps the hits.
+#[test]
+fn a_far_eye_loses_nothing_to_single_precision() {
+    let mut random = Random(7);
+    let corner = |p: DVec3, x: f64, y: f64| p + 1e-3 * DVec3::new(x, y, 0.0);
+    let spots: Vec<DVec3> = (0..100).map(|_| random.point()).collect();
+    let shapes: Vec<Shape> = spots
+        .iter()
+        .map(|p| {
+            triangle([
+                corner(*p, 0.0, 0.0),
+                corner(*p, 1.0, 0.0),
+                corner(*p, 0.0, 1.0),
+            ])
+        })
+        .collect();
+    let mut rays = Vec::new();
+    for i in 0..24 {
+        let distance = 8.0 + 0.3 * f64::from(i);
+        for spot in &spots {
+            for (x, y) in [(1e-9, 1e-9), (1.0 - 1e-8, 1e-9), (1e-9, 1.0 - 1e-8)] {
+                let target = corner(*spot, x, y);
+                let origin = target + random.direction() * distance;
+                let ray = Ray::new(origin, (target - origin).normalize());
+                rays.push((ray, Interval::FORWARD));
+            }
+        }
+    }
+    agree(&shapes, &rays).unwrap();
+}
+
 #[test]
 fn nothing_to_build_on_is_no_trouble() {
     let ray = Ray::new(DVec3::Y, DVec3::NEG_Y);
