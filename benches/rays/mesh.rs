@@ -1,0 +1,80 @@
+//! What is measured: triangles in a box of 2 units around the origin.
+
+use raytree::geometry::{Aabb, Shape, Triangle};
+use raytree::math::DVec3;
+
+/// The names of all meshes, and their triangles.
+pub fn all() -> Vec<(&'static str, Vec<Triangle>)> {
+    vec![
+        ("room", room()),
+        ("bunny", bunny()),
+        ("ball", bumpy_ball(158)),
+    ]
+}
+
+/// A ball with bumps of 4 rings^2 triangles.
+pub fn bumpy_ball(rings: usize) -> Vec<Triangle> {
+    let at = |i: usize, j: usize| {
+        let theta = std::f64::consts::PI * i as f64 / rings as f64;
+        let phi = std::f64::consts::PI * (j % (2 * rings)) as f64 / rings as f64;
+        let bump = 1.0 + 0.1 * libm::sin(9.0 * theta) * libm::sin(7.0 * phi);
+        let (sin, cos) = (libm::sin(theta), libm::cos(theta));
+        bump * DVec3::new(sin * libm::cos(phi), cos, sin * libm::sin(phi))
+    };
+    (0..rings)
+        .flat_map(|i| (0..2 * rings).map(move |j| (i, j)))
+        .flat_map(|(i, j)| {
+            let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            [[a, b, c], [a, c, d]].map(|corners| Triangle { corners })
+        })
+        .collect()
+}
+
+/// The triangles of a box, turned about the y axis.
+fn turned_box(center: DVec3, half: DVec3, angle: f64) -> Vec<Triangle> {
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    let place = |s: [f64; 3]| {
+        let p = DVec3::from(s) * half;
+        center + DVec3::new(cos * p.x + sin * p.z, p.y, cos * p.z - sin * p.x)
+    };
+    (0..3)
+        .flat_map(|axis| [-1.0, 1.0].map(|side| (axis, side)))
+        .flat_map(|(axis, side)| {
+            let at = |u: f64, v: f64| {
+                let mut s = [side; 3];
+                (s[(axis + 1) % 3], s[(axis + 2) % 3]) = (u, v);
+                place(s)
+            };
+            let (a, b, c, d) = (at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0));
+            [[a, b, c], [a, c, d]].map(|corners| Triangle { corners })
+        })
+        .collect()
+}
+
+/// 36 triangles, a few large polygons: what a tree of the polygons' own planes is best at.
+fn room() -> Vec<Triangle> {
+    [
+        turned_box(DVec3::ZERO, DVec3::splat(4.0), 0.0),
+        turned_box(DVec3::new(-0.5, -0.4, -0.5), DVec3::new(0.3, 0.6, 0.3), 0.3),
+        turned_box(DVec3::new(0.5, -0.7, 0.2), DVec3::splat(0.3), -0.4),
+    ]
+    .concat()
+}
+
+/// The built-in bunny of 3,674 triangles.
+fn bunny() -> Vec<Triangle> {
+    let scene = raytree::scene::load("bunny").expect("built in");
+    let shapes = scene.shapes.iter().enumerate();
+    let of_bunny = shapes.filter_map(|(id, shape)| match shape {
+        Shape::Triangle(triangle) if scene.object_of(id as u32).name == "bunny" => Some(*triangle),
+        _ => None,
+    });
+    let triangles: Vec<Triangle> = of_bunny.collect();
+    let bounds = Aabb::around(triangles.iter().flat_map(|t| t.corners));
+    let scale = 2.0 / bounds.size().max_element();
+    let fit = |p: DVec3| (p - bounds.center()) * scale;
+    let fitted = |t: Triangle| Triangle {
+        corners: t.corners.map(fit),
+    };
+    triangles.into_iter().map(fitted).collect()
+}
