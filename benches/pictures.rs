@@ -140,6 +140,8 @@ fn main() {
     if !std::env::args().any(|a| a == "--bench") {
         return;
     }
-    publish("pictures", &accelerators());
+    if !std::env::args().any(|a| a == "threads") {
+        publish("pictures", &accelerators());
+    }
     publish("threads", &threads());
 }

@@ -4,12 +4,14 @@
 //! They differ only in how many tests they need. [`List`] tests everything; it is the slow twin that the others are
 //! tested against.
 
+mod auto;
 pub mod bsp;
 pub mod list;
 mod simd;
 mod slack;
 pub mod wide;
 
+pub use auto::{clearest, fastest};
 pub use bsp::Bsp;
 pub use list::List;
 pub use wide::Wide;

@@ -11,6 +11,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::settings::SceneArgs;
 use super::{ColorArg, Done, Failure, output};
+use crate::accel::fastest;
 use crate::probe::Silent;
 use crate::scene::{Settings, World};
 use crate::trace::Counts;
@@ -41,7 +42,7 @@ pub struct Render {
 
 impl Render {
     pub fn run(&self) -> Result<Done, Failure> {
-        let (world, mut settings) = self.scene.load()?;
+        let (world, mut settings) = self.scene.load(fastest)?;
         if self.output.is_none() && self.scene.settings.size.is_none() {
             (settings.width, settings.height) = size_of_terminal(&settings);
         }

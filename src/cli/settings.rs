@@ -4,8 +4,13 @@ use clap::{Args, ValueEnum};
 
 use super::Failure;
 use crate::accel::AccelKind;
+use crate::accel::fastest;
+use crate::geometry::Shape;
 use crate::scene::{Sampling, Scene, Settings, World, limits};
 use crate::shading::Fresnel;
+
+/// What decides on the accelerator if the user does not.
+pub type Decide = fn(&[Shape]) -> AccelKind;
 
 /// Which scene, and how it is traced. What is not given is what the scene asks for.
 #[derive(Args, Clone, Debug)]
@@ -44,7 +49,8 @@ pub struct SettingsArgs {
     /// Seed of all random numbers
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
-    /// How hits are found; never changes the picture
+    /// How hits are found; never changes the picture. Where it is not given: auto for pictures; for looking at rays a
+    /// BSP tree, or wide for large scenes
     #[arg(long, value_enum)]
     accel: Option<AccelArg>,
     /// Rays that the whole picture may cost
@@ -75,6 +81,8 @@ enum FresnelArg {
 
 #[derive(ValueEnum, Clone, Copy, Debug)]
 enum AccelArg {
+    /// The fastest for the scene, as measured
+    Auto,
     /// Test every shape
     List,
     /// A BSP tree; the scene decides which planes split
@@ -88,8 +96,8 @@ enum AccelArg {
 }
 
 impl SettingsArgs {
-    /// The scene's settings with what the command line changes.
-    pub fn over(&self, scene: &Scene) -> Settings {
+    /// The scene's settings with what the command line changes; `accel` decides where it says nothing.
+    pub fn over(&self, scene: &Scene, accel: Decide) -> Settings {
         let asked = &scene.settings;
         let (width, height) = self.size.unwrap_or(asked.size());
         Settings {
@@ -109,26 +117,30 @@ impl SettingsArgs {
                 FresnelArg::Exact => Fresnel::Exact,
             }),
             exposure: self.exposure.unwrap_or(asked.exposure),
-            accel: self.accel.map_or(asked.accel, |a| match a {
-                AccelArg::List => AccelKind::List,
-                AccelArg::Bsp => AccelKind::Bsp,
-                AccelArg::BspAxis => AccelKind::BspAxis,
-                AccelArg::BspPolygon => AccelKind::BspPolygon,
-                AccelArg::Wide => AccelKind::Wide,
-            }),
+            accel: self.accel.map_or_else(
+                || accel(&scene.shapes),
+                |a| match a {
+                    AccelArg::Auto => fastest(&scene.shapes),
+                    AccelArg::List => AccelKind::List,
+                    AccelArg::Bsp => AccelKind::Bsp,
+                    AccelArg::BspAxis => AccelKind::BspAxis,
+                    AccelArg::BspPolygon => AccelKind::BspPolygon,
+                    AccelArg::Wide => AccelKind::Wide,
+                },
+            ),
             max_rays: self.max_rays.unwrap_or(asked.max_rays),
         }
     }
 }
 
 impl SceneArgs {
-    /// Reads the scene, tells its warnings and builds its accelerator.
-    pub fn load(&self) -> Result<(World, Settings), Failure> {
+    /// Reads the scene, tells its warnings and builds its accelerator: what `accel` says if the user does not.
+    pub fn load(&self, accel: Decide) -> Result<(World, Settings), Failure> {
         let scene = crate::scene::load(&self.scene)?;
         for warning in &scene.warnings {
             eprintln!("warning: {warning}");
         }
-        let settings = self.settings.over(&scene);
+        let settings = self.settings.over(&scene, accel);
         Ok((World::new(scene, settings.accel), settings))
     }
 }

@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 
 use super::settings::SceneArgs;
 use super::{Done, Failure, output};
+use crate::accel::clearest;
 use crate::trace::{View, diagram, json, text, trace_pixel};
 
 #[derive(Args)]
@@ -40,7 +41,7 @@ enum Format {
 
 impl Trace {
     pub fn run(&self) -> Result<Done, Failure> {
-        let (world, settings) = self.scene.load()?;
+        let (world, settings) = self.scene.load(clearest)?;
         let (x, y) = self.pixel;
         let (width, height) = settings.size();
         if x >= width || y >= height {

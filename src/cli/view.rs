@@ -4,6 +4,7 @@ use clap::Args;
 
 use super::settings::{SceneArgs, SettingsArgs};
 use super::{ColorArg, Done, Failure};
+use crate::accel::clearest;
 use crate::tui::{self, Options};
 
 /// What opens without a scene.
@@ -23,7 +24,7 @@ pub struct View {
 
 impl View {
     pub fn run(&self) -> Result<Done, Failure> {
-        let (world, settings) = self.scene.load()?;
+        let (world, settings) = self.scene.load(clearest)?;
         let options = Options {
             scene: self.scene.scene.clone(),
             color: self.color.level(),
