@@ -5,12 +5,14 @@
 //! tested against.
 
 pub mod bsp;
+pub mod kd;
 pub mod list;
 mod simd;
 mod slack;
 pub mod wide;
 
 pub use bsp::Bsp;
+pub use kd::Kd;
 pub use list::List;
 pub use wide::Wide;
 
@@ -30,17 +32,20 @@ pub enum AccelKind {
     BspAxis,
     /// A BSP tree split by the planes of the scene's own polygons, as in the lectures.
     BspPolygon,
+    /// A kd-tree: the best planes along the axes that there are.
+    Kd,
     /// A tree of boxes, eight to a node: the fast one.
     Wide,
 }
 
 impl AccelKind {
     /// Every kind.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::List,
         Self::Bsp,
         Self::BspAxis,
         Self::BspPolygon,
+        Self::Kd,
         Self::Wide,
     ];
 
@@ -51,6 +56,7 @@ impl AccelKind {
             Self::Bsp => "bsp",
             Self::BspAxis => "bsp-axis",
             Self::BspPolygon => "bsp-polygon",
+            Self::Kd => "kd",
             Self::Wide => "wide",
         }
     }
@@ -63,6 +69,8 @@ pub enum Accel {
     List(List),
     /// Descend a tree of planes.
     Bsp(Bsp),
+    /// Descend a tree of planes along the axes.
+    Kd(Kd),
     /// Descend a tree of boxes.
     Wide(Wide),
 }
@@ -113,6 +121,7 @@ impl Accel {
     pub fn build(kind: AccelKind, shapes: &[Shape]) -> Self {
         match kind {
             AccelKind::List => Self::List(List::build(shapes)),
+            AccelKind::Kd => Self::Kd(Kd::build(shapes)),
             AccelKind::Wide => Self::Wide(Wide::build(shapes)),
             _ => Self::Bsp(Bsp::build(kind, shapes)),
         }
@@ -123,6 +132,7 @@ impl Accel {
         match self {
             Self::List(_) => None,
             Self::Bsp(bsp) => bsp.node(id),
+            Self::Kd(kd) => kd.node(id),
             Self::Wide(wide) => wide.node(id),
         }
     }
@@ -137,6 +147,7 @@ impl Accel {
         match self {
             Self::List(_) => AccelStats::default(),
             Self::Bsp(bsp) => bsp.stats(),
+            Self::Kd(kd) => kd.stats(),
             Self::Wide(wide) => wide.stats(),
         }
     }
@@ -153,6 +164,7 @@ impl Accel {
         match self {
             Self::List(list) => list.closest(&query, probe),
             Self::Bsp(bsp) => bsp.closest(&query, probe),
+            Self::Kd(kd) => kd.closest(&query, probe),
             Self::Wide(wide) => wide.closest(&query, probe),
         }
     }
@@ -170,6 +182,7 @@ impl Accel {
         match self {
             Self::List(list) => list.any(&query, probe),
             Self::Bsp(bsp) => bsp.any(&query, probe),
+            Self::Kd(kd) => kd.any(&query, probe),
             Self::Wide(wide) => wide.any(&query, probe),
         }
     }

@@ -83,6 +83,8 @@ enum AccelArg {
     BspAxis,
     /// A BSP tree split by the scene's own polygons
     BspPolygon,
+    /// A kd-tree: the best planes along the axes
+    Kd,
     /// A tree of boxes, eight to a node: the fast one
     Wide,
 }
@@ -114,6 +116,7 @@ impl SettingsArgs {
                 AccelArg::Bsp => AccelKind::Bsp,
                 AccelArg::BspAxis => AccelKind::BspAxis,
                 AccelArg::BspPolygon => AccelKind::BspPolygon,
+                AccelArg::Kd => AccelKind::Kd,
                 AccelArg::Wide => AccelKind::Wide,
             }),
             max_rays: self.max_rays.unwrap_or(asked.max_rays),
