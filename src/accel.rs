@@ -6,6 +6,7 @@
 
 mod auto;
 pub mod bsp;
+pub mod kd;
 pub mod list;
 mod simd;
 mod slack;
@@ -13,6 +14,7 @@ pub mod wide;
 
 pub use auto::{clearest, fastest};
 pub use bsp::Bsp;
+pub use kd::Kd;
 pub use list::List;
 pub use wide::Wide;
 
@@ -32,28 +34,44 @@ pub enum AccelKind {
     BspAxis,
     /// A BSP tree split by the planes of the scene's own polygons, as in the lectures.
     BspPolygon,
+    /// A kd-tree: the best planes along the axes that there are.
+    Kd,
     /// A tree of boxes, eight to a node: the fast one.
     Wide,
 }
 
 impl AccelKind {
     /// Every kind.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::List,
         Self::Bsp,
         Self::BspAxis,
         Self::BspPolygon,
+        Self::Kd,
         Self::Wide,
     ];
 
     /// Its name on the command line and in JSON.
     pub fn name(self) -> &'static str {
+        self.words().0
+    }
+
+    /// What it does, in a line.
+    pub fn note(self) -> &'static str {
+        self.words().1
+    }
+
+    fn words(self) -> (&'static str, &'static str) {
         match self {
-            Self::List => "list",
-            Self::Bsp => "bsp",
-            Self::BspAxis => "bsp-axis",
-            Self::BspPolygon => "bsp-polygon",
-            Self::Wide => "wide",
+            Self::List => ("list", "Test every shape"),
+            Self::Bsp => ("bsp", "A BSP tree; the scene decides which planes split"),
+            Self::BspAxis => ("bsp-axis", "A BSP tree split along the axes"),
+            Self::BspPolygon => (
+                "bsp-polygon",
+                "A BSP tree split by the scene's own polygons",
+            ),
+            Self::Kd => ("kd", "A kd-tree: the best planes along the axes"),
+            Self::Wide => ("wide", "A tree of boxes, eight to a node: the fast one"),
         }
     }
 }
@@ -65,6 +83,8 @@ pub enum Accel {
     List(List),
     /// Descend a tree of planes.
     Bsp(Bsp),
+    /// Descend a tree of planes along the axes.
+    Kd(Kd),
     /// Descend a tree of boxes.
     Wide(Wide),
 }
@@ -115,6 +135,7 @@ impl Accel {
     pub fn build(kind: AccelKind, shapes: &[Shape]) -> Self {
         match kind {
             AccelKind::List => Self::List(List::build(shapes)),
+            AccelKind::Kd => Self::Kd(Kd::build(shapes)),
             AccelKind::Wide => Self::Wide(Wide::build(shapes)),
             _ => Self::Bsp(Bsp::build(kind, shapes)),
         }
@@ -125,6 +146,7 @@ impl Accel {
         match self {
             Self::List(_) => None,
             Self::Bsp(bsp) => bsp.node(id),
+            Self::Kd(kd) => kd.node(id),
             Self::Wide(wide) => wide.node(id),
         }
     }
@@ -139,6 +161,7 @@ impl Accel {
         match self {
             Self::List(_) => AccelStats::default(),
             Self::Bsp(bsp) => bsp.stats(),
+            Self::Kd(kd) => kd.stats(),
             Self::Wide(wide) => wide.stats(),
         }
     }
@@ -155,6 +178,7 @@ impl Accel {
         match self {
             Self::List(list) => list.closest(&query, probe),
             Self::Bsp(bsp) => bsp.closest(&query, probe),
+            Self::Kd(kd) => kd.closest(&query, probe),
             Self::Wide(wide) => wide.closest(&query, probe),
         }
     }
@@ -172,6 +196,7 @@ impl Accel {
         match self {
             Self::List(list) => list.any(&query, probe),
             Self::Bsp(bsp) => bsp.any(&query, probe),
+            Self::Kd(kd) => kd.any(&query, probe),
             Self::Wide(wide) => wide.any(&query, probe),
         }
     }

@@ -7,10 +7,11 @@ use raytree::geometry::{Aabb, Cuboid, Hit, Placed, Plane, Shape, Sphere, Triangl
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
 
-const TREES: [AccelKind; 4] = [
+const TREES: [AccelKind; 5] = [
     AccelKind::Bsp,
     AccelKind::BspAxis,
     AccelKind::BspPolygon,
+    AccelKind::Kd,
     AccelKind::Wide,
 ];
 

@@ -13,9 +13,9 @@
 //! - `Slack` bounds that closeness, and the traversal treats every plane as that thick.
 
 mod build;
-mod classify;
-mod sah;
-mod traverse;
+pub(super) mod classify;
+pub(super) mod sah;
+pub(super) mod traverse;
 
 use super::slack::Slack;
 use super::{AccelKind, AccelStats, NodeView};

@@ -1,5 +1,6 @@
 //! The flags that several commands share.
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use super::Failure;
@@ -51,7 +52,7 @@ pub struct SettingsArgs {
     seed: Option<u64>,
     /// How hits are found; never changes the picture. Where it is not given: auto for pictures; for looking at rays a
     /// BSP tree, or wide for large scenes
-    #[arg(long, value_enum)]
+    #[arg(long, value_name = "ACCEL", value_parser = accels())]
     accel: Option<AccelArg>,
     /// Rays that the whole picture may cost
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
@@ -79,20 +80,12 @@ enum FresnelArg {
     Exact,
 }
 
-#[derive(ValueEnum, Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug)]
 enum AccelArg {
-    /// The fastest for the scene, as measured
+    /// The fastest for the scene, as measured.
     Auto,
-    /// Test every shape
-    List,
-    /// A BSP tree; the scene decides which planes split
-    Bsp,
-    /// A BSP tree split along the axes
-    BspAxis,
-    /// A BSP tree split by the scene's own polygons
-    BspPolygon,
-    /// A tree of boxes, eight to a node: the fast one
-    Wide,
+    /// This one.
+    Kind(AccelKind),
 }
 
 impl SettingsArgs {
@@ -117,17 +110,11 @@ impl SettingsArgs {
                 FresnelArg::Exact => Fresnel::Exact,
             }),
             exposure: self.exposure.unwrap_or(asked.exposure),
-            accel: self.accel.map_or_else(
-                || accel(&scene.shapes),
-                |a| match a {
-                    AccelArg::Auto => fastest(&scene.shapes),
-                    AccelArg::List => AccelKind::List,
-                    AccelArg::Bsp => AccelKind::Bsp,
-                    AccelArg::BspAxis => AccelKind::BspAxis,
-                    AccelArg::BspPolygon => AccelKind::BspPolygon,
-                    AccelArg::Wide => AccelKind::Wide,
-                },
-            ),
+            accel: match self.accel {
+                None => accel(&scene.shapes),
+                Some(AccelArg::Auto) => fastest(&scene.shapes),
+                Some(AccelArg::Kind(kind)) => kind,
+            },
             max_rays: self.max_rays.unwrap_or(asked.max_rays),
         }
     }
@@ -143,6 +130,16 @@ impl SceneArgs {
         let settings = self.settings.over(&scene, accel);
         Ok((World::new(scene, settings.accel), settings))
     }
+}
+
+/// The names of all accelerators, and `auto`.
+fn accels() -> impl TypedValueParser<Value = AccelArg> {
+    let auto = PossibleValue::new("auto").help("The fastest for the scene, as measured");
+    let kinds = AccelKind::ALL.map(|kind| PossibleValue::new(kind.name()).help(kind.note()));
+    PossibleValuesParser::new(std::iter::once(auto).chain(kinds)).map(|name| {
+        let kind = AccelKind::ALL.into_iter().find(|kind| kind.name() == name);
+        kind.map_or(AccelArg::Auto, AccelArg::Kind)
+    })
 }
 
 fn parse_size(text: &str) -> Result<(u32, u32), String> {

@@ -3,7 +3,7 @@
 use super::{Bsp, LEAF, MAX_DEPTH, Node};
 use crate::accel::Query;
 use crate::geometry::Hit;
-use crate::math::{DVec3, Interval};
+use crate::math::{DVec3, Interval, Ray};
 use crate::probe::{Choice, Event, NONE, Probe, Visit};
 
 /// A part of the tree that is still to be visited: what lies on a node's plane, then the node's far child.
@@ -17,24 +17,24 @@ struct Pending {
 }
 
 /// A ray with what every node asks for.
-struct Walker {
-    origin: [f64; 3],
-    direction: [f64; 3],
+pub struct Walker {
+    pub origin: [f64; 3],
+    pub direction: [f64; 3],
     /// 1 / direction.
-    inverse: [f64; 3],
+    pub inverse: [f64; 3],
     /// How thick every plane is, on each side.
     slack: f64,
 }
 
 /// What a ray does at a node's plane.
-struct Crossing {
-    near: u32,
-    far: u32,
+pub struct Crossing {
+    pub near: u32,
+    pub far: u32,
     /// Whether the ray never gets there, and the part of it that does.
-    near_missed: bool,
-    near_part: Interval,
-    far_missed: bool,
-    far_part: Interval,
+    pub near_missed: bool,
+    pub near_part: Interval,
+    pub far_missed: bool,
+    pub far_part: Interval,
     /// The origin's distance from the plane and how fast the ray reduces it: it crosses at height / speed.
     height: f64,
     speed: f64,
@@ -66,12 +66,7 @@ impl Bsp {
             }
             return best;
         };
-        let walker = Walker {
-            origin: query.ray.origin.to_array(),
-            direction: query.ray.direction.to_array(),
-            inverse: query.ray.direction.recip().to_array(),
-            slack,
-        };
+        let walker = Walker::new(&query.ray, slack);
 
         // Each level of the tree leaves at most one far child behind.
         let root = Pending {
@@ -146,15 +141,41 @@ impl Bsp {
             let s = n.dot(DVec3::from(walker.origin)) - node.d;
             (s, climb, 1.0 / climb)
         };
+        walker.cross([id + 1, node.back], s, climb, inverse, inside)
+    }
+}
+
+impl Walker {
+    /// A ray as the nodes ask for it.
+    pub fn new(ray: &Ray, slack: f64) -> Self {
+        Self {
+            origin: ray.origin.to_array(),
+            direction: ray.direction.to_array(),
+            inverse: ray.direction.recip().to_array(),
+            slack,
+        }
+    }
+
+    /// Which of the children in front of a plane and behind it the ray reaches, and where, from its origin's distance
+    /// `s`, how fast that grows and the inverse of this.
+    #[inline]
+    pub fn cross(
+        &self,
+        [front, back]: [u32; 2],
+        s: f64,
+        climb: f64,
+        inverse: f64,
+        inside: Interval,
+    ) -> Crossing {
         // Near is the side that the origin is on.
         let (near, far, height, speed, inverse) = if s >= 0.0 {
-            (id + 1, node.back, s, -climb, -inverse)
+            (front, back, s, -climb, -inverse)
         } else {
-            (node.back, id + 1, -s, climb, inverse)
+            (back, front, -s, climb, inverse)
         };
         let Interval { min, max } = inside;
-        let t_above = (height - walker.slack) * inverse;
-        let t_below = (height + walker.slack) * inverse;
+        let t_above = (height - self.slack) * inverse;
+        let t_below = (height + self.slack) * inverse;
         let (near_missed, near_part, far_missed, far_part);
         if speed > 0.0 {
             // Towards the plane: near until it is left below, far once it is no longer above.
@@ -169,7 +190,7 @@ impl Bsp {
             far_missed = if speed < 0.0 {
                 t_above < min
             } else {
-                height > walker.slack
+                height > self.slack
             };
             far_part = Interval::new(min, if speed < 0.0 { max.min(t_above) } else { max });
         }
@@ -188,7 +209,7 @@ impl Bsp {
 
 impl Crossing {
     /// The step in words, at a node that the ray is inside of for this interval.
-    fn visit(&self, node: u32, inside: Interval) -> Visit {
+    pub fn visit(&self, node: u32, inside: Interval) -> Visit {
         let t_split = self.height / self.speed;
         let clear = self.speed > 0.0 && inside.contains(t_split);
         let choice = match (self.near_missed, self.far_missed) {
@@ -210,7 +231,7 @@ impl Crossing {
 }
 
 /// The step at a node that goes no further down.
-fn ended(node: u32, inside: Interval, choice: Choice) -> Event {
+pub fn ended(node: u32, inside: Interval, choice: Choice) -> Event {
     Event::Visit(Visit {
         node,
         interval: [inside.min, inside.max],
@@ -223,7 +244,7 @@ fn ended(node: u32, inside: Interval, choice: Choice) -> Event {
 
 /// Tests primitives; true if no more need be: any hit will do and there is one.
 #[inline]
-fn test_all<const ANY: bool, P: Probe>(
+pub fn test_all<const ANY: bool, P: Probe>(
     query: &Query,
     primitives: &[u32],
     best: &mut Option<Hit>,
