@@ -5,15 +5,21 @@
 //! tested against.
 
 mod auto;
+mod boxes;
 pub mod bsp;
+mod bvh;
+pub mod grid;
 pub mod kd;
 pub mod list;
+mod octree;
 mod simd;
 mod slack;
 pub mod wide;
 
 pub use auto::{clearest, fastest};
+pub use boxes::Boxes;
 pub use bsp::Bsp;
+pub use grid::Grid;
 pub use kd::Kd;
 pub use list::List;
 pub use wide::Wide;
@@ -36,18 +42,30 @@ pub enum AccelKind {
     BspPolygon,
     /// A kd-tree: the best planes along the axes that there are.
     Kd,
+    /// A grid of cells.
+    Grid,
+    /// An octree.
+    Octree,
+    /// A binary tree of boxes.
+    Bvh,
+    /// The same tree of spheres.
+    BvhSpheres,
     /// A tree of boxes, eight to a node: the fast one.
     Wide,
 }
 
 impl AccelKind {
     /// Every kind.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 10] = [
         Self::List,
         Self::Bsp,
         Self::BspAxis,
         Self::BspPolygon,
         Self::Kd,
+        Self::Grid,
+        Self::Octree,
+        Self::Bvh,
+        Self::BvhSpheres,
         Self::Wide,
     ];
 
@@ -71,6 +89,13 @@ impl AccelKind {
                 "A BSP tree split by the scene's own polygons",
             ),
             Self::Kd => ("kd", "A kd-tree: the best planes along the axes"),
+            Self::Grid => ("grid", "A uniform grid of cells"),
+            Self::Octree => ("octree", "An octree: cubes halved along all axes"),
+            Self::Bvh => ("bvh", "A binary tree of boxes"),
+            Self::BvhSpheres => (
+                "bvh-spheres",
+                "The same tree of spheres, to see why boxes win",
+            ),
             Self::Wide => ("wide", "A tree of boxes, eight to a node: the fast one"),
         }
     }
@@ -85,7 +110,11 @@ pub enum Accel {
     Bsp(Bsp),
     /// Descend a tree of planes along the axes.
     Kd(Kd),
-    /// Descend a tree of boxes.
+    /// Walk from cell to cell.
+    Grid(Grid),
+    /// Descend a tree of bounding volumes.
+    Boxes(Boxes),
+    /// Descend a tree of boxes, eight at once.
     Wide(Wide),
 }
 
@@ -136,6 +165,10 @@ impl Accel {
         match kind {
             AccelKind::List => Self::List(List::build(shapes)),
             AccelKind::Kd => Self::Kd(Kd::build(shapes)),
+            AccelKind::Grid => Self::Grid(Grid::build(shapes)),
+            AccelKind::Octree => Self::Boxes(octree::build(shapes)),
+            AccelKind::Bvh => Self::Boxes(bvh::build(shapes, false)),
+            AccelKind::BvhSpheres => Self::Boxes(bvh::build(shapes, true)),
             AccelKind::Wide => Self::Wide(Wide::build(shapes)),
             _ => Self::Bsp(Bsp::build(kind, shapes)),
         }
@@ -147,6 +180,8 @@ impl Accel {
             Self::List(_) => None,
             Self::Bsp(bsp) => bsp.node(id),
             Self::Kd(kd) => kd.node(id),
+            Self::Grid(grid) => grid.node(id),
+            Self::Boxes(boxes) => boxes.node(id),
             Self::Wide(wide) => wide.node(id),
         }
     }
@@ -162,6 +197,8 @@ impl Accel {
             Self::List(_) => AccelStats::default(),
             Self::Bsp(bsp) => bsp.stats(),
             Self::Kd(kd) => kd.stats(),
+            Self::Grid(grid) => grid.stats(),
+            Self::Boxes(boxes) => boxes.stats(),
             Self::Wide(wide) => wide.stats(),
         }
     }
@@ -179,6 +216,8 @@ impl Accel {
             Self::List(list) => list.closest(&query, probe),
             Self::Bsp(bsp) => bsp.closest(&query, probe),
             Self::Kd(kd) => kd.closest(&query, probe),
+            Self::Grid(grid) => grid.search::<false, P>(&query, probe),
+            Self::Boxes(boxes) => boxes.search::<false, P>(&query, probe),
             Self::Wide(wide) => wide.closest(&query, probe),
         }
     }
@@ -197,6 +236,8 @@ impl Accel {
             Self::List(list) => list.any(&query, probe),
             Self::Bsp(bsp) => bsp.any(&query, probe),
             Self::Kd(kd) => kd.any(&query, probe),
+            Self::Grid(grid) => grid.search::<true, P>(&query, probe),
+            Self::Boxes(boxes) => boxes.search::<true, P>(&query, probe),
             Self::Wide(wide) => wide.any(&query, probe),
         }
     }
@@ -244,6 +285,23 @@ impl<'a> Query<'a> {
             shear: Shear::new(ray),
             interval,
         }
+    }
+
+    /// Tests primitives in order; true if no more need be: any hit will do and there is one.
+    #[inline]
+    pub fn test_all<const ANY: bool, P: Probe>(
+        &self,
+        primitives: &[u32],
+        best: &mut Option<Hit>,
+        probe: &mut P,
+    ) -> bool {
+        for &primitive in primitives {
+            self.test(primitive, best, probe);
+            if ANY && best.is_some() {
+                return true;
+            }
+        }
+        false
     }
 
     /// Tests one primitive; if it is hit closer than `best`, or as close with a smaller id, it becomes the best.

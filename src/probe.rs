@@ -184,6 +184,8 @@ pub struct Visit {
 pub enum Choice {
     /// A leaf: its primitives are tested.
     Leaf,
+    /// A cell of a grid: its primitives are tested, then those of the next one on the ray's way.
+    Cell,
     /// The plane is crossed within the interval: near, then far.
     Both,
     /// The ray runs in the plane, starts on it or leaves the node on it, as far as can be told: near, then far.

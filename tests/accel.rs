@@ -7,11 +7,15 @@ use raytree::geometry::{Aabb, Cuboid, Hit, Placed, Plane, Shape, Sphere, Triangl
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
 
-const TREES: [AccelKind; 5] = [
+const TREES: [AccelKind; 9] = [
     AccelKind::Bsp,
     AccelKind::BspAxis,
     AccelKind::BspPolygon,
     AccelKind::Kd,
+    AccelKind::Grid,
+    AccelKind::Octree,
+    AccelKind::Bvh,
+    AccelKind::BvhSpheres,
     AccelKind::Wide,
 ];
 

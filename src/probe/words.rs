@@ -41,9 +41,11 @@ impl Choice {
             Self::NearSplitBeyond | Self::NearRunsAway => "near",
             Self::FarSplitBefore => "far",
             Self::Children => "children",
-            Self::Leaf | Self::SkippedCloserHit | Self::SkippedOutside | Self::SkippedMissed => {
-                "none"
-            }
+            Self::Leaf
+            | Self::Cell
+            | Self::SkippedCloserHit
+            | Self::SkippedOutside
+            | Self::SkippedMissed => "none",
         }
     }
 
@@ -51,6 +53,7 @@ impl Choice {
     pub fn reason(self) -> &'static str {
         match self {
             Self::Leaf => "leaf: its primitives are tested",
+            Self::Cell => "cell: its primitives are tested, then the next cell on the way",
             Self::Both => "the plane is crossed inside the interval",
             Self::BothInDoubt => {
                 "the plane is so near that rounding could hide a hit on either side"

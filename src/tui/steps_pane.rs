@@ -80,6 +80,7 @@ fn visited(session: &Session, visit: &Visit) -> Vec<Span<'static>> {
     let (near, far) = (child(visit.near), child(visit.far));
     let choice = match visit.choice {
         Choice::Leaf => " leaf".to_owned(),
+        Choice::Cell => " cell".to_owned(),
         Choice::Both => format!(" near {near}, far {far}"),
         Choice::BothInDoubt => format!(" near {near}, far {far} (in doubt)"),
         Choice::NearSplitBeyond => format!(" near {near}, not {far}: plane beyond"),

@@ -55,7 +55,7 @@ impl Bsp {
     #[inline(never)]
     fn search<const ANY: bool, P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
         let mut best = None;
-        if test_all::<ANY, P>(query, &self.outside, &mut best, probe) || self.nodes.is_empty() {
+        if query.test_all::<ANY, P>(&self.outside, &mut best, probe) || self.nodes.is_empty() {
             return best;
         }
         let slack = self.slack.around(query.ray.origin);
@@ -88,7 +88,7 @@ impl Bsp {
             }
             if next.on != NONE {
                 let on = self.primitives(&self.nodes[next.on as usize]);
-                if test_all::<ANY, P>(query, on, &mut best, probe) {
+                if query.test_all::<ANY, P>(on, &mut best, probe) {
                     return best;
                 }
             }
@@ -120,7 +120,7 @@ impl Bsp {
             if P::TRAVERSAL {
                 probe.event(ended(id, inside, Choice::Leaf));
             }
-            if test_all::<ANY, P>(query, self.primitives(leaf), &mut best, probe) {
+            if query.test_all::<ANY, P>(self.primitives(leaf), &mut best, probe) {
                 return best;
             }
         }
@@ -240,21 +240,4 @@ pub fn ended(node: u32, inside: Interval, choice: Choice) -> Event {
         far: NONE,
         choice,
     })
-}
-
-/// Tests primitives; true if no more need be: any hit will do and there is one.
-#[inline]
-pub fn test_all<const ANY: bool, P: Probe>(
-    query: &Query,
-    primitives: &[u32],
-    best: &mut Option<Hit>,
-    probe: &mut P,
-) -> bool {
-    for &primitive in primitives {
-        query.test(primitive, best, probe);
-        if ANY && best.is_some() {
-            return true;
-        }
-    }
-    false
 }

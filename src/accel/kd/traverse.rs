@@ -2,7 +2,7 @@
 
 use super::{Kd, LEAF, MAX_DEPTH};
 use crate::accel::Query;
-use crate::accel::bsp::traverse::{Walker, ended, test_all};
+use crate::accel::bsp::traverse::{Walker, ended};
 use crate::geometry::Hit;
 use crate::math::{DVec3, Interval};
 use crate::probe::{Choice, Event, Probe};
@@ -30,7 +30,7 @@ impl Kd {
     #[inline(never)]
     fn search<const ANY: bool, P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
         let mut best = None;
-        if test_all::<ANY, P>(query, &self.outside, &mut best, probe) || self.nodes.is_empty() {
+        if query.test_all::<ANY, P>(&self.outside, &mut best, probe) || self.nodes.is_empty() {
             return best;
         }
         let slack = self.slack.around(query.ray.origin);
@@ -91,7 +91,7 @@ impl Kd {
             if P::TRAVERSAL {
                 probe.event(ended(id, inside, Choice::Leaf));
             }
-            if test_all::<ANY, P>(query, self.primitives(leaf), &mut best, probe) {
+            if query.test_all::<ANY, P>(self.primitives(leaf), &mut best, probe) {
                 return best;
             }
         }

@@ -31,7 +31,7 @@ impl<const ANY: bool, P: Probe> Task for Search<'_, ANY, P> {
     fn run<L: Level>(self, level: L) -> Option<Hit> {
         let Self { wide, query, probe } = self;
         let mut best = None;
-        if test::<ANY, P>(query, &wide.outside, &mut best, probe) || wide.nodes.is_empty() {
+        if query.test_all::<ANY, P>(&wide.outside, &mut best, probe) || wide.nodes.is_empty() {
             return best;
         }
         match wide.frame.plan(&query.ray, query.interval) {
@@ -64,27 +64,10 @@ fn test_all<const ANY: bool, P: Probe>(
     probe: &mut P,
 ) {
     for block in &wide.blocks {
-        if test::<ANY, P>(query, block.primitives(), best, probe) {
+        if query.test_all::<ANY, P>(block.primitives(), best, probe) {
             return;
         }
     }
-}
-
-/// Tests primitives; true if no more need be: any hit will do and there is one.
-#[inline(always)]
-fn test<const ANY: bool, P: Probe>(
-    query: &Query,
-    primitives: &[u32],
-    best: &mut Option<Hit>,
-    probe: &mut P,
-) -> bool {
-    for &primitive in primitives {
-        query.test(primitive, best, probe);
-        if ANY && best.is_some() {
-            return true;
-        }
-    }
-    false
 }
 
 #[inline(always)]
@@ -199,7 +182,7 @@ fn test_block<const ANY: bool, L: Level, P: Probe>(
     probe: &mut P,
 ) -> bool {
     if P::TRAVERSAL {
-        return test::<ANY, P>(query, block.primitives(), best, probe);
+        return query.test_all::<ANY, P>(block.primitives(), best, probe);
     }
     let mut candidates = level.positive4(&sight.candidates(&block.corners));
     while candidates != 0 {

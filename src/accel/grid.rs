@@ -1,0 +1,276 @@
+//! A uniform grid: cells of one size; a ray visits those on its way, one after the other.
+//!
+//! Source: Fujimoto, Tanaka and Iwata 1986, "ARTS"; Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray
+//! tracing"; the number of cells after Cleary and Wyvill 1988.
+//!
+//! No hit is lost: where a ray crosses a cell's border is wrong by less than the slack (see `slack`), so at t the ray
+//! is within the slack of the cell that is visited for t, and a hit at t is within the slack of its shape. Shapes are
+//! put into all cells that their boxes reach when they are grown by several times that.
+
+use super::slack::{Slack, conditioning};
+use super::{AccelStats, NodeView, Query};
+use crate::geometry::{Aabb, Hit, Shape};
+use crate::math::{DVec3, Interval};
+use crate::probe::{Choice, Event, NONE, Probe, Visit};
+
+/// Cells for each primitive.
+const DENSITY: f64 = 4.0;
+
+/// How many references there are at most, for each primitive; with more, the cells are made larger.
+const MAX_REFERENCES: usize = 8;
+
+/// Shapes are grown by this part of a cell's edge. Rays from so far away that their slack is not smaller are tested
+/// against everything.
+const GROWN: f64 = 1e-3;
+
+/// A grid of cells over a scene's primitives.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    bounds: Aabb,
+    /// How many cells there are along each axis; no cells at all if there is nothing in them.
+    size: [usize; 3],
+    /// A cell's edges.
+    edge: DVec3,
+    /// Where each cell's references begin, x first, and where the last one's end.
+    starts: Vec<u32>,
+    references: Vec<u32>,
+    /// What is outside the grid and tested first.
+    outside: Vec<u32>,
+    slack: Slack,
+    /// The most slack that a ray may have, in metres.
+    most: f64,
+}
+
+impl Grid {
+    /// Sorts `shapes` into cells.
+    pub fn build(shapes: &[Shape]) -> Self {
+        let (mut items, mut outside) = (Vec::new(), Vec::new());
+        let (mut reach, mut condition, mut bounds) = (0.0f64, 0.0f64, Aabb::EMPTY);
+        for (primitive, shape) in (0u32..).zip(shapes) {
+            let (r, c) = conditioning(shape);
+            match shape.bounds() {
+                Some(b) if c <= Slack::MAX_CONDITION && r <= Slack::MAX_REACH => {
+                    reach = reach.max(r);
+                    condition = condition.max(c);
+                    bounds = bounds.union(b);
+                    items.push((primitive, b));
+                }
+                _ => outside.push(primitive),
+            }
+        }
+        let slack = Slack::new(reach, condition);
+        let mut grid = Self {
+            bounds,
+            size: [0; 3],
+            edge: DVec3::ZERO,
+            starts: Vec::new(),
+            references: Vec::new(),
+            outside,
+            slack,
+            most: 0.0,
+        };
+        let mut cells = DENSITY * items.len() as f64;
+        while !items.is_empty() && !grid.sort(&items, cells) {
+            cells /= 4.0;
+        }
+        grid
+    }
+
+    /// Sorts the items into about so many cells; false if the references would be too many. One cell always does.
+    fn sort(&mut self, items: &[(u32, Aabb)], cells: f64) -> bool {
+        let extent = self.bounds.size();
+        // No edge is shorter than the slack of a ray from nearby is thick, by far.
+        let near = 2.0 * self.slack.around(DVec3::ZERO);
+        let least = near / GROWN;
+        let longest = extent.max_element().max(least);
+        let flat = extent.max(DVec3::splat(1e-3 * longest));
+        // Cubes of about the volume of all by the number of cells. Scaled, so that it cannot overflow.
+        let part = flat / longest;
+        let edge = longest * libm::cbrt(part.x * part.y * part.z / cells.max(1.0));
+        self.size = extent.to_array().map(|length| {
+            let count = length / edge.max(least);
+            if cells < 1.0 {
+                1
+            } else {
+                (count as usize).clamp(1, 1024)
+            }
+        });
+        self.edge = extent / DVec3::from_array(self.size.map(|n| n as f64));
+        let shortest = self.edge.max(DVec3::splat(least)).min_element();
+        self.most = 0.5 * GROWN * shortest;
+        let cell_count: usize = self.size.iter().product();
+        if cell_count > 8 * items.len() {
+            return false;
+        }
+
+        // Count, sum up, fill in: a counting sort.
+        let reached: Vec<_> = items
+            .iter()
+            .map(|(_, b)| self.reached(b, GROWN * shortest))
+            .collect();
+        let volume =
+            |[from, to]: &[[usize; 3]; 2]| (0..3).map(|k| to[k] - from[k] + 1).product::<usize>();
+        let total: usize = reached.iter().map(volume).sum();
+        if total > MAX_REFERENCES * items.len() {
+            return false;
+        }
+        self.starts = vec![0; cell_count + 1];
+        for range in &reached {
+            self.each(range, |starts, _, cell| starts[cell + 1] += 1);
+        }
+        for cell in 0..cell_count {
+            self.starts[cell + 1] += self.starts[cell];
+        }
+        self.references = vec![0; total];
+        for ((primitive, _), range) in items.iter().zip(&reached).rev() {
+            self.each(range, |starts, references, cell| {
+                starts[cell + 1] -= 1;
+                references[starts[cell + 1] as usize] = *primitive;
+            });
+        }
+        // Each start now stands one place too far to the right.
+        self.starts.rotate_left(1);
+        self.starts[cell_count] = total as u32;
+        true
+    }
+
+    /// The first and last cells that a box reaches, axis by axis, if it is grown.
+    fn reached(&self, b: &Aabb, grown: f64) -> [[usize; 3]; 2] {
+        let grown = DVec3::splat(grown);
+        [self.cell_of(b.min - grown), self.cell_of(b.max + grown)]
+    }
+
+    /// The cell of a point, or the one closest to it.
+    fn cell_of(&self, p: DVec3) -> [usize; 3] {
+        let cell = ((p - self.bounds.min) / self.edge).to_array();
+        // Below 0 and what is not a number become 0.
+        std::array::from_fn(|k| (cell[k] as usize).min(self.size[k] - 1))
+    }
+
+    /// Calls for each cell of a range.
+    fn each(
+        &mut self,
+        [from, to]: &[[usize; 3]; 2],
+        mut call: impl FnMut(&mut [u32], &mut [u32], usize),
+    ) {
+        for z in from[2]..=to[2] {
+            for y in from[1]..=to[1] {
+                for x in from[0]..=to[0] {
+                    let cell = (z * self.size[1] + y) * self.size[0] + x;
+                    call(&mut self.starts, &mut self.references, cell);
+                }
+            }
+        }
+    }
+
+    /// The closest hit, or with `ANY` the first that turns up.
+    #[inline(never)]
+    pub fn search<const ANY: bool, P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
+        let mut best = None;
+        if query.test_all::<ANY, P>(&self.outside, &mut best, probe) || self.starts.is_empty() {
+            return best;
+        }
+        let slack = self.slack.around(query.ray.origin);
+        let bounds = self.bounds.padded(DVec3::splat(slack));
+        let Some(inside) = bounds.clip(&query.ray, query.interval) else {
+            if P::TRAVERSAL {
+                probe.event(step(0, query.interval, Choice::SkippedOutside));
+            }
+            return best;
+        };
+        let near = slack <= self.most;
+        if !near {
+            query.test_all::<ANY, P>(&self.references, &mut best, probe);
+            return best;
+        }
+        let (o, d) = (query.ray.origin.to_array(), query.ray.direction.to_array());
+        let mut cell = self.cell_of(query.ray.at(inside.min));
+        // Where the ray leaves a cell along an axis: each border is computed anew, so that errors do not add up. Cells
+        // at the rim go on for ever: the ray was cut to the grid before.
+        let leaves = |axis: usize, cell: usize| {
+            let border = cell + usize::from(d[axis] > 0.0);
+            if d[axis] == 0.0 || border == 0 || border == self.size[axis] {
+                return f64::INFINITY;
+            }
+            let border = self.bounds.min[axis] + self.edge[axis] * border as f64;
+            (border - o[axis]) / d[axis]
+        };
+        let mut ends = [0, 1, 2].map(|axis| leaves(axis, cell[axis]));
+        let mut enter = inside.min;
+        loop {
+            let axis = if ends[0] <= ends[1] && ends[0] <= ends[2] {
+                0
+            } else if ends[1] <= ends[2] {
+                1
+            } else {
+                2
+            };
+            let leave = ends[axis].max(enter);
+            let id = (cell[2] * self.size[1] + cell[1]) * self.size[0] + cell[0];
+            if P::TRAVERSAL {
+                let part = Interval::new(enter, leave.min(inside.max));
+                probe.event(step(id as u32, part, Choice::Cell));
+            }
+            if query.test_all::<ANY, P>(self.primitives(id), &mut best, probe) {
+                return best;
+            }
+            // A hit at the very border does not count: one beyond it may be as close and have the smaller id.
+            if leave > inside.max || leave == f64::INFINITY || best.is_some_and(|hit| hit.t < leave)
+            {
+                return best;
+            }
+            let next = if d[axis] > 0.0 {
+                Some(cell[axis] + 1).filter(|&next| next < self.size[axis])
+            } else {
+                cell[axis].checked_sub(1)
+            };
+            let Some(next) = next else {
+                return best;
+            };
+            cell[axis] = next;
+            ends[axis] = leaves(axis, next);
+            enter = leave;
+        }
+    }
+
+    /// A cell as a reader sees it; `None` if there is none of that number.
+    pub fn node(&self, id: u32) -> Option<NodeView<'_>> {
+        let cells = self.starts.len().saturating_sub(1);
+        ((id as usize) < cells).then(|| NodeView {
+            plane: None,
+            axis: None,
+            children: None,
+            primitives: self.primitives(id as usize),
+        })
+    }
+
+    /// How large the grid is.
+    pub fn stats(&self) -> AccelStats {
+        let cells = self.starts.len().saturating_sub(1);
+        AccelStats {
+            nodes: cells,
+            leaves: cells,
+            polygon_planes: 0,
+            depth: u32::from(cells > 0),
+            references: self.references.len() + self.outside.len(),
+            bytes: size_of_val(&self.starts[..])
+                + size_of_val(&self.references[..])
+                + size_of_val(&self.outside[..]),
+        }
+    }
+
+    fn primitives(&self, cell: usize) -> &[u32] {
+        &self.references[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+    }
+}
+
+fn step(node: u32, inside: Interval, choice: Choice) -> Event {
+    Event::Visit(Visit {
+        node,
+        interval: [inside.min, inside.max],
+        t_split: f64::NAN,
+        near: NONE,
+        far: NONE,
+        choice,
+    })
+}
