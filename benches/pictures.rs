@@ -22,6 +22,9 @@ const ROUNDS: usize = 5;
 /// Accelerators that are this many times slower than the quickest draw only once.
 const SLOW: f64 = 4.0;
 
+/// The list is only asked where it ends within reason.
+const LIST_LIMIT: usize = 1000;
+
 /// The scenes: a few shapes, spheres of glass and mirrors, boxes, meshes; and thousands of spheres.
 const SCENES: [&str; 11] = [
     "triangle",
@@ -73,7 +76,13 @@ fn accelerators() -> String {
         let rays = counts.iter().fold(Counts::default(), Counts::plus).rays();
         let mut times: Vec<_> = worlds
             .iter()
-            .map(|w| vec![seconds(w, &settings, 1)])
+            .zip(AccelKind::ALL)
+            .map(|(world, kind)| {
+                if kind == AccelKind::List && scene.shapes.len() > LIST_LIMIT {
+                    return vec![f64::INFINITY];
+                }
+                vec![seconds(world, &settings, 1)]
+            })
             .collect();
         let best = times.iter().map(|t| t[0]).fold(f64::INFINITY, f64::min);
         for _ in 1..ROUNDS {
@@ -91,7 +100,10 @@ fn accelerators() -> String {
         row.extend(
             times
                 .into_iter()
-                .map(|t| format!("{:.2}", rays as f64 / median(t) / 1e6)),
+                .map(|t| match rays as f64 / median(t) / 1e6 {
+                    0.0 => "-".to_string(),
+                    rate => format!("{rate:.2}"),
+                }),
         );
         rows.push(row);
     }

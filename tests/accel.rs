@@ -250,8 +250,19 @@ fn ray(shapes: &[Shape], frame: Frame, random: &mut Random) -> (Ray, Interval) {
     (Ray::new(origin, direction), interval)
 }
 
+/// How many scenes are tried, 60 rays through each: a longer run is asked for by `RAYTREE_CASES`. 10^7 rays are
+/// `RAYTREE_CASES=170000 cargo test --release --test accel trees_answer`.
+fn config() -> ProptestConfig {
+    let asked = std::env::var("RAYTREE_CASES").ok();
+    ProptestConfig {
+        cases: asked.and_then(|n| n.parse().ok()).unwrap_or(600),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config())]
 
     #[test]
     fn trees_answer_as_the_list_does(
