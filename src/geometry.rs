@@ -133,12 +133,13 @@ impl Shape {
             Self::Placed(placed) => {
                 let ray = placed.transform.ray_to_object(ray);
                 let local = placed.shape.surface(&ray, t, barycentric);
+                let error = placed.transform.point_error(local.point, local.error);
+                // The next test takes the way back as well. The inverse is only known as well as the transform is
+                // conditioned, and a turn brings the error of each axis to all others.
+                let there_and_back = 1.0 + 2.0 * placed.transform.condition();
                 SurfacePoint {
                     point: placed.transform.point(local.point),
-                    // The next test takes the way back as well: the inverse is only known as well as the
-                    // transform is conditioned.
-                    error: placed.transform.point_error(local.point, local.error)
-                        * (1.0 + placed.transform.condition()),
+                    error: DVec3::splat(there_and_back * error.max_element()),
                     normal: placed.transform.normal(local.normal),
                     uv: local.uv,
                 }

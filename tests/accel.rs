@@ -1,5 +1,7 @@
 //! Every accelerator answers as the list does: same primitive, same bits of t and of the weights.
 
+mod common;
+
 use glam::{DAffine3, DQuat};
 use proptest::prelude::*;
 use raytree::accel::{Accel, AccelKind, AccelStats};
@@ -250,19 +252,9 @@ fn ray(shapes: &[Shape], frame: Frame, random: &mut Random) -> (Ray, Interval) {
     (Ray::new(origin, direction), interval)
 }
 
-/// How many scenes are tried, 60 rays through each: a longer run is asked for by `RAYTREE_CASES`. 10^7 rays are
-/// `RAYTREE_CASES=170000 cargo test --release --test accel trees_answer`.
-fn config() -> ProptestConfig {
-    let asked = std::env::var("RAYTREE_CASES").ok();
-    ProptestConfig {
-        cases: asked.and_then(|n| n.parse().ok()).unwrap_or(600),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
-
+// 60 rays through each scene. 10^7 rays are `RAYTREE_CASES=170000 cargo test --release --test accel trees_answer`.
 proptest! {
-    #![proptest_config(config())]
+    #![proptest_config(common::config(600))]
 
     #[test]
     fn trees_answer_as_the_list_does(

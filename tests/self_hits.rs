@@ -1,6 +1,8 @@
 //! A ray that leaves a surface does not find it again, at any size and any distance from the origin; and what lies
 //! close behind it is not lost.
 
+mod common;
+
 use proptest::prelude::*;
 use raytree::geometry::{
     Aabb, Cuboid, Intersection, Placed, Plane, Shape, Shear, Sphere, Triangle,
@@ -111,7 +113,7 @@ fn target(shape: &Shape, weights: [f64; 3]) -> DVec3 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+    #![proptest_config(common::config(4000))]
 
     #[test]
     fn a_ray_that_leaves_does_not_come_back(

@@ -1,5 +1,7 @@
 //! Stepping through a recorded pixel: back undoes forward, over and out nest, and a million rays are no burden.
 
+mod common;
+
 use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
@@ -57,6 +59,8 @@ fn every_event_belongs_to_the_ray_around_it() {
 }
 
 proptest! {
+    #![proptest_config(common::config(256))]
+
     #[test]
     fn back_undoes_step(start in 0usize..10_000) {
         let (_, _, trace) = traced("whitted", (30, 22), 3);
