@@ -2,8 +2,8 @@
 
 use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::panic;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crossterm::cursor::{Hide, Show};
 use crossterm::event::{DisableMouseCapture, EnableMouseCapture};
@@ -19,7 +19,7 @@ use ratatui::layout::Rect;
 use super::app::App;
 
 /// True while the terminal is ours.
-static TAKEN: AtomicBool = AtomicBool::new(false);
+static TAKEN: Mutex<bool> = Mutex::new(false);
 
 /// True after a panic in any thread.
 static PANICKED: AtomicBool = AtomicBool::new(false);
@@ -30,14 +30,34 @@ const HANGUP: std::time::Duration = std::time::Duration::from_millis(250);
 
 /// The screen, as long as it lives; then everything is as before.
 pub struct Screen {
-    terminal: Terminal<CrosstermBackend<BufWriter<Stdout>>>,
+    terminal: Terminal<CrosstermBackend<BufWriter<Tty>>>,
     mouse: bool,
     stop: Arc<AtomicBool>,
 }
 
+/// Standard output while the terminal is ours, nothing afterwards: when one thread has panicked and given the terminal
+/// back, a frame that another one is drawing must not follow.
+struct Tty(Stdout);
+
+impl Write for Tty {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let taken = TAKEN.lock().unwrap_or_else(PoisonError::into_inner);
+        if *taken {
+            self.0.write(bytes)
+        } else {
+            Ok(bytes.len())
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
 /// Gives the terminal back, at most once.
 fn give_back() {
-    if TAKEN.swap(false, Ordering::SeqCst) {
+    let mut taken = TAKEN.lock().unwrap_or_else(PoisonError::into_inner);
+    if std::mem::replace(&mut *taken, false) {
         let mut out = io::stdout();
         // There is nobody left to tell of errors here.
         let _ = execute!(
@@ -73,7 +93,7 @@ impl Screen {
             give_back();
             before(info);
         }));
-        let out = BufWriter::with_capacity(1 << 16, io::stdout());
+        let out = BufWriter::with_capacity(1 << 16, Tty(io::stdout()));
         let terminal = Terminal::new(CrosstermBackend::new(out))?;
         let mut screen = Self {
             terminal,
@@ -86,7 +106,7 @@ impl Screen {
 
     fn enter(&mut self) -> io::Result<()> {
         enable_raw_mode()?;
-        TAKEN.store(true, Ordering::SeqCst);
+        *TAKEN.lock().unwrap_or_else(PoisonError::into_inner) = true;
         execute!(self.terminal.backend_mut(), EnterAlternateScreen, Hide)
     }
 
