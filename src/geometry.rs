@@ -5,12 +5,14 @@
 
 pub mod aabb;
 pub mod cuboid;
+pub mod disc;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;
 
 pub use aabb::Aabb;
 pub use cuboid::Cuboid;
+pub use disc::Disc;
 pub use plane::Plane;
 pub use sphere::Sphere;
 pub use triangle::{Shear, Triangle};
@@ -94,7 +96,9 @@ pub enum Shape {
     Plane(Plane),
     /// A box with faces along the axes.
     Cuboid(Cuboid),
-    /// A sphere or box that was turned or stretched: tested in its own space.
+    /// A disc.
+    Disc(Disc),
+    /// A sphere, box or disc that was turned or stretched: tested in its own space.
     Placed(Box<Placed>),
 }
 
@@ -116,6 +120,7 @@ impl Shape {
             Self::Sphere(sphere) => sphere.intersect(ray, interval),
             Self::Plane(plane) => plane.intersect(ray, interval),
             Self::Cuboid(cuboid) => cuboid.intersect(ray, interval),
+            Self::Disc(disc) => disc.intersect(ray, interval),
             Self::Placed(placed) => {
                 let ray = placed.transform.ray_to_object(ray);
                 placed.shape.intersect(&ray, &Shear::new(&ray), interval)
@@ -130,6 +135,7 @@ impl Shape {
             Self::Sphere(sphere) => sphere.surface(ray, t),
             Self::Plane(plane) => plane.surface(ray, t),
             Self::Cuboid(cuboid) => cuboid.surface(ray, t),
+            Self::Disc(disc) => disc.surface(ray, t),
             Self::Placed(placed) => {
                 let ray = placed.transform.ray_to_object(ray);
                 let local = placed.shape.surface(&ray, t, barycentric);
@@ -154,6 +160,7 @@ impl Shape {
             Self::Sphere(sphere) => Some(sphere.bounds()),
             Self::Plane(_) => None,
             Self::Cuboid(cuboid) => Some(cuboid.bounds),
+            Self::Disc(disc) => Some(disc.bounds()),
             Self::Placed(placed) => placed
                 .shape
                 .bounds()
@@ -168,6 +175,7 @@ impl Shape {
             Self::Sphere(_) => "sphere",
             Self::Plane(_) => "plane",
             Self::Cuboid(_) => "box",
+            Self::Disc(_) => "disc",
             Self::Placed(placed) => placed.shape.kind(),
         }
     }

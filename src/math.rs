@@ -6,6 +6,7 @@
 
 pub mod frame;
 pub mod interval;
+pub mod points;
 pub mod ray;
 pub mod rgb;
 pub mod rounding;
@@ -15,6 +16,7 @@ pub mod transform;
 pub use frame::Frame;
 pub use glam::{DVec2, DVec3};
 pub use interval::Interval;
+pub use points::Sampler;
 pub use ray::Ray;
 pub use rgb::Rgb;
 pub use transform::Transform;

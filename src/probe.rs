@@ -110,6 +110,8 @@ pub enum Event {
     Term {
         /// Which term.
         term: Term,
+        /// Of an area light, the number of the sample that it comes from.
+        sample: u16,
         /// The light that it comes from, or [`NONE`].
         light: u32,
         /// What is added.
@@ -145,6 +147,8 @@ pub enum Event {
 pub struct RaySent {
     /// Its kind.
     pub kind: RayKind,
+    /// For L rays to an area light the number of the sample, else 0.
+    pub sample: u16,
     /// Bounces since the eye.
     pub depth: u32,
     /// For L rays the light, else [`NONE`].

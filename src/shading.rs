@@ -1,5 +1,6 @@
 //! What a surface does with light.
 
+pub mod area;
 pub mod interaction;
 pub mod light;
 pub mod material;
@@ -7,6 +8,7 @@ pub mod medium;
 pub mod optics;
 pub mod phong;
 
+pub use area::Area;
 pub use interaction::{Interaction, Side};
 pub use light::{Illumination, Light, Source};
 pub use material::{Checker, Material};

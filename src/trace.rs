@@ -4,6 +4,7 @@
 //! shown beside it is computed again from it with the tracer's own functions ([`mod@explain`]).
 
 pub mod arrival;
+pub mod bundle;
 pub mod counts;
 pub mod cursor;
 pub mod diagram;
@@ -16,6 +17,7 @@ pub mod text;
 pub mod tree;
 
 pub use arrival::{Arrival, Lighting};
+pub use bundle::Bundle;
 pub use counts::Counts;
 pub use cursor::Cursor;
 pub use explain::{Explanation, explain};

@@ -5,6 +5,7 @@
 
 pub mod film;
 pub mod foresight;
+pub mod lights;
 pub mod picture;
 pub mod pixel;
 pub mod stack;

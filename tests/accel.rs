@@ -5,7 +5,7 @@ mod common;
 use glam::{DAffine3, DQuat};
 use proptest::prelude::*;
 use raytree::accel::{Accel, AccelKind, AccelStats};
-use raytree::geometry::{Aabb, Cuboid, Hit, Placed, Plane, Shape, Sphere, Triangle};
+use raytree::geometry::{Aabb, Cuboid, Disc, Hit, Placed, Plane, Shape, Sphere, Triangle};
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
 
@@ -177,7 +177,7 @@ fn scene(style: Style, count: usize, frame: Frame, random: &mut Random) -> Vec<S
         .collect()
 }
 
-/// A sphere, a box, either of them turned and stretched, a plane or a triangle.
+/// A sphere, a box, either of them turned and stretched, a disc, a plane or a triangle.
 fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
     let center = frame.place(random.grid_point());
     let size = frame.scale * (0.05 + 0.4 * random.unit().abs());
@@ -192,7 +192,8 @@ fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
             bounds: Aabb::around([-DVec3::ONE, DVec3::ONE]),
         })
     };
-    match i % 5 {
+    match i % 6 {
+        5 => Shape::Disc(Disc::new(center, random.direction(), size)),
         0 => Shape::Sphere(Sphere {
             center,
             radius: size,

@@ -71,7 +71,7 @@ impl Met {
     }
 }
 
-/// Checks a whole document; `lights` is the number of lights in the scene.
+/// Checks a whole document; `lights` is the number of places on lights that a hit asks for.
 fn check(document: &Value, lights: usize, met: &mut Met) {
     assert_eq!(document["format"], "raytree/1");
     let mut color = [0.0; 3];
@@ -148,6 +148,7 @@ fn check_node(node: &Value, parent: Option<&Value>, lights: usize, met: &mut Met
         "the ledger of node {} closes",
         node["id"]
     );
+    check_bundles(node, met);
     check_complete(node, lights, met);
     spread
 }
@@ -263,7 +264,7 @@ fn check_term(node: &Value, term: &Value) {
     };
     let shadow_ray = list(&node["children"])
         .iter()
-        .find(|c| c["kind"] == "L" && &c["light"] == light)
+        .find(|c| c["kind"] == "L" && &c["light"] == light && c.get("sample") == term.get("sample"))
         .expect("a lit term has its shadow ray");
     assert_eq!(shadow_ray["outcome"], "lit");
     let (l, n) = (
@@ -277,6 +278,29 @@ fn check_term(node: &Value, term: &Value) {
     if let Some(r_dot_v) = term["r_dot_v"].as_f64() {
         let r = combine(n, l, |n_k, l_k| 2.0 * dot(n, l) * n_k - l_k);
         assert!((r_dot_v - dot(r, v).max(0.0)).abs() <= TOLERANCE);
+    }
+}
+
+/// A bundle counts the rays to its light, and its mean is the sum of their terms.
+fn check_bundles(node: &Value, met: &mut Met) {
+    for bundle in node["bundles"].as_array().into_iter().flatten() {
+        met.one("bundle");
+        let rays = |outcome: &str| {
+            let rays = list(&node["children"]).iter();
+            rays.filter(|c| c["light"] == bundle["light"] && c["outcome"] == outcome)
+                .count() as f64
+        };
+        assert_eq!(number(&bundle["lit"]), rays("lit"));
+        assert_eq!(number(&bundle["blocked"]), rays("blocked"));
+        assert!(rays("lit") + rays("blocked") <= number(&bundle["samples"]));
+        let terms = list(&node["terms"]).iter();
+        let sum = terms
+            .filter(|t| t["light"] == bundle["light"])
+            .fold([0.0; 3], |sum, t| {
+                combine(sum, vector(&t["value"]), |a, b| a + b)
+            });
+        assert!(close(sum, vector(&bundle["mean"]), 1e-12));
+        assert!(number(&bundle["standard_error"]) >= 0.0);
     }
 }
 
@@ -340,10 +364,15 @@ fn check_scene(name: &str, width: u32, height: u32, samples: u32, step: u32) -> 
         width,
         height,
         samples,
+        light_samples: 16,
         ..base
     };
     let world = world(name, &settings);
     let film = film(&world, &settings);
+    let lights = world.scene.lights.iter();
+    let asked = lights
+        .map(|light| if light.source.is_area() { 16 } else { 1 })
+        .sum();
     let mut met = Met::default();
     for index in (0..width * height).step_by(step as usize) {
         let (x, y) = (index % width, index / width);
@@ -353,7 +382,7 @@ fn check_scene(name: &str, width: u32, height: u32, samples: u32, step: u32) -> 
             film.at(x, y).channels().map(f64::to_bits),
             "{name}: pixel ({x}, {y}) of the trace is that of the picture"
         );
-        check(&document, world.scene.lights.len(), &mut met);
+        check(&document, asked, &mut met);
     }
     met
 }
@@ -394,7 +423,12 @@ fn all_built_in_scenes_obey_the_laws() {
             *all.0.entry(what).or_default() += count;
         }
     }
-    for what in ["total-internal-reflection", "depth-limit", "min-weight"] {
+    for what in [
+        "total-internal-reflection",
+        "depth-limit",
+        "min-weight",
+        "bundle",
+    ] {
         assert!(all.count(what) > 0, "no scene shows {what}");
     }
 }

@@ -5,7 +5,7 @@ mod common;
 
 use proptest::prelude::*;
 use raytree::geometry::{
-    Aabb, Cuboid, Intersection, Placed, Plane, Shape, Shear, Sphere, Triangle,
+    Aabb, Cuboid, Disc, Intersection, Placed, Plane, Shape, Shear, Sphere, Triangle,
 };
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::shading::{Interaction, Side};
@@ -57,6 +57,8 @@ fn shape() -> impl Strategy<Value = Shape> {
     };
     let boxes = (at.clone(), unit(), size.clone())
         .prop_map(move |(at, edge, size)| Shape::Cuboid(cuboid(at, (edge.abs() + 0.01) * size)));
+    let discs = (at.clone(), unit(), size.clone())
+        .prop_map(|(at, normal, size)| Shape::Disc(Disc::new(at, normal, size)));
     let planes = (at.clone(), unit()).prop_map(|(p, n)| Shape::Plane(Plane::new(p, n)));
     let placed = (at, unit(), 0.0..6.0f64, unit(), size, any::<bool>()).prop_filter_map(
         "invertible",
@@ -79,7 +81,7 @@ fn shape() -> impl Strategy<Value = Shape> {
             })))
         },
     );
-    prop_oneof![sphere, level, boxes, planes, placed]
+    prop_oneof![sphere, level, boxes, discs, planes, placed]
 }
 
 /// Where a ray towards a place on or in the shape arrives, if it does.
@@ -106,6 +108,10 @@ fn target(shape: &Shape, weights: [f64; 3]) -> DVec3 {
                 + t.corners[2] * (weights[2] / sum)
         }
         Shape::Plane(plane) => plane.normal() * 0.5,
+        Shape::Disc(disc) => {
+            let [x, y, _] = weights.map(|w| (w - 0.5) * disc.radius);
+            disc.center + x * disc.frame.u + y * disc.frame.v
+        }
         other => other
             .bounds()
             .map_or(DVec3::ZERO, |b| b.min + DVec3::from(weights) * b.size()),

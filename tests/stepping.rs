@@ -153,6 +153,7 @@ fn binary<P: Probe>(probe: &mut P, depth: u32, levels: u32) -> Rgb {
     };
     probe.event(Event::Ray(RaySent {
         kind,
+        sample: 0,
         depth,
         light: NONE,
         medium: NONE,

@@ -7,6 +7,7 @@ use super::Failure;
 use crate::accel::AccelKind;
 use crate::accel::fastest;
 use crate::geometry::Shape;
+use crate::math::Sampler;
 use crate::scene::{Sampling, Scene, Settings, World, limits};
 use crate::shading::Fresnel;
 
@@ -35,6 +36,12 @@ pub struct SettingsArgs {
     /// Where the samples of a pixel lie
     #[arg(long, value_enum)]
     sampling: Option<SamplingArg>,
+    /// Shadow rays to an area light, a hit
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(limits::MAX_LIGHT_SAMPLES)))]
+    light_samples: Option<u32>,
+    /// Where on an area light they go
+    #[arg(long, value_enum)]
+    sampler: Option<SamplerArg>,
     /// How often a ray may bounce
     #[arg(long, value_name = "N")]
     depth: Option<u32>,
@@ -71,6 +78,18 @@ enum SamplingArg {
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug)]
+enum SamplerArg {
+    /// The middles of a grid: hard bands
+    Grid,
+    /// Anywhere by chance: noise
+    Random,
+    /// By chance, one in each cell of a grid
+    Stratified,
+    /// Sobol's sequence, scrambled: the least noise
+    Sobol,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug)]
 enum FresnelArg {
     /// The material's coefficients at every angle
     None,
@@ -100,6 +119,13 @@ impl SettingsArgs {
             sampling: self.sampling.map_or(asked.sampling, |s| match s {
                 SamplingArg::Regular => Sampling::Regular,
                 SamplingArg::Jittered => Sampling::Jittered,
+            }),
+            light_samples: self.light_samples.unwrap_or(asked.light_samples),
+            sampler: self.sampler.map_or(asked.sampler, |s| match s {
+                SamplerArg::Grid => Sampler::Grid,
+                SamplerArg::Random => Sampler::Random,
+                SamplerArg::Stratified => Sampler::Stratified,
+                SamplerArg::Sobol => Sampler::Sobol,
             }),
             depth: self.depth.unwrap_or(asked.depth),
             min_weight: self.min_weight.unwrap_or(asked.min_weight),

@@ -1,7 +1,7 @@
 //! The scenes inside the program: they are there wherever it runs.
 
 /// Name and text of each scene, in the order of a tour.
-const SCENES: [(&str, &str); 9] = [
+const SCENES: [(&str, &str); 11] = [
     ("whitted", include_str!("../../scenes/whitted.json")),
     ("triangle", include_str!("../../scenes/triangle.json")),
     ("mirrors", include_str!("../../scenes/mirrors.json")),
@@ -14,6 +14,8 @@ const SCENES: [(&str, &str); 9] = [
     ("room", include_str!("../../scenes/room.json")),
     ("teapot", include_str!("../../scenes/teapot.json")),
     ("bunny", include_str!("../../scenes/bunny.json")),
+    ("soft-shadow", include_str!("../../scenes/soft-shadow.json")),
+    ("lamps", include_str!("../../scenes/lamps.json")),
 ];
 
 /// The models that they name.

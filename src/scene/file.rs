@@ -16,10 +16,10 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use light::{DirectionalFile, LightFile, PointFile, SpotFile};
+pub use light::{AreaFile, DirectionalFile, LightFile, PointFile, SpotFile};
 pub use material::{CheckerFile, MaterialFile};
 pub use object::{
-    BoxFile, GroupFile, MeshFile, ObjFile, ObjectFile, PlaneFile, QuadFile, SphereFile,
+    BoxFile, DiscFile, GroupFile, MeshFile, ObjFile, ObjectFile, PlaneFile, QuadFile, SphereFile,
     TriangleFile,
 };
 pub use parse::parse;

@@ -3,6 +3,7 @@
 //! What passes here cannot make the tracer panic, and every refusal tells the field and the cure.
 
 mod checks;
+mod lights;
 mod meshes;
 mod models;
 mod objects;
@@ -12,16 +13,15 @@ mod shapes;
 use std::collections::HashSet;
 
 use super::error::{Place, SceneError};
-use super::file::{CameraFile, LightFile, MaterialFile, SceneFile, SettingsFile};
+use super::file::{CameraFile, MaterialFile, SceneFile, SettingsFile};
 use super::files::Files;
 use super::limits::{
-    IOR, MAX_COORDINATE, MAX_EXPONENT, MAX_LIGHTS, MAX_RADIANCE, MAX_SAMPLES, MAX_WARNINGS,
-    size_problem,
+    IOR, MAX_EXPONENT, MAX_LIGHT_SAMPLES, MAX_RADIANCE, MAX_SAMPLES, MAX_WARNINGS, size_problem,
 };
 use super::{Camera, Scene, Settings};
 use crate::math::Rgb;
+use crate::shading::Material;
 use crate::shading::material::Checker;
-use crate::shading::{Light, Material, light::Source};
 use checks::{color, direction, number, point};
 
 /// Makes a scene of a scene file. `label` is the file's name in messages, `files` reads the files that it names.
@@ -54,8 +54,8 @@ pub fn resolve(file: &SceneFile, label: &str, files: Files) -> Result<Scene, Sce
         let material = self::material(name, material, &place)?;
         builder.scene.materials.push(material);
     }
-    builder.lights(&file.lights, &place.key("lights"))?;
     builder.objects(&file.objects, &place.key("objects"))?;
+    builder.lights(&file.lights, &place.key("lights"))?;
     Ok(builder.finish())
 }
 
@@ -88,28 +88,6 @@ impl Builder {
         }
         self.scene.hash = self.files.hash();
         self.scene
-    }
-
-    fn lights(&mut self, lights: &[LightFile], place: &Place) -> Result<(), SceneError> {
-        if lights.len() > MAX_LIGHTS {
-            return Err(place.error(
-                format!("there are {} lights", lights.len()),
-                format!("use {MAX_LIGHTS} at most: each costs a ray at every hit"),
-            ));
-        }
-        let mut names = HashSet::new();
-        for (i, file) in lights.iter().enumerate() {
-            let (light, place) = light(file, &place.index(i))?;
-            checks::name(&light.name, &place.key("name"))?;
-            if !names.insert(light.name.clone()) {
-                return Err(place.key("name").error(
-                    format!("there are two lights named `{}`", light.name),
-                    "give one of them a different name",
-                ));
-            }
-            self.scene.lights.push(light);
-        }
-        Ok(())
     }
 }
 
@@ -159,10 +137,19 @@ fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneError> 
             &place.key(key),
         )
     };
+    let light_samples = file.light_samples.unwrap_or(default.light_samples);
+    if light_samples == 0 || light_samples > MAX_LIGHT_SAMPLES {
+        return Err(place.key("light_samples").error(
+            format!("{light_samples} shadow rays to a light are not possible"),
+            format!("write a whole number from 1 to {MAX_LIGHT_SAMPLES}"),
+        ));
+    }
     Ok(Settings {
         width,
         height,
         samples,
+        light_samples,
+        sampler: file.sampler.unwrap_or(default.sampler),
         sampling: file.sampling.unwrap_or(default.sampling),
         depth: file.depth.unwrap_or(default.depth),
         min_weight: optional(file.min_weight, default.min_weight, "min_weight")?,
@@ -202,66 +189,4 @@ fn material(name: &str, file: &MaterialFile, place: &Place) -> Result<Material, 
         emission: factor(file.emission, "emission")?,
         checker,
     })
-}
-
-/// A light, and its place with its kind.
-fn light<'a>(file: &LightFile, place: &Place<'a>) -> Result<(Light, Place<'a>), SceneError> {
-    let intensity = |value: Rgb, place: &Place| color(value, MAX_RADIANCE, &place.key("intensity"));
-    let (name, source, place) = match file {
-        LightFile::Point(light) => {
-            let place = place.key("point");
-            let source = Source::Point {
-                position: point(light.position, &place.key("position"))?,
-                intensity: intensity(light.intensity, &place)?,
-                attenuation: attenuation(light.attenuation, &place)?,
-            };
-            (&light.name, source, place)
-        }
-        LightFile::Directional(light) => {
-            let place = place.key("directional");
-            let source = Source::Directional {
-                direction: direction(light.direction, &place.key("direction"))?,
-                intensity: intensity(light.intensity, &place)?,
-            };
-            (&light.name, source, place)
-        }
-        LightFile::Spot(light) => {
-            let place = place.key("spot");
-            let position = point(light.position, &place.key("position"))?;
-            let look_at = point(light.look_at, &place.key("look_at"))?;
-            let axis = (look_at - position).try_normalize().ok_or_else(|| {
-                place.error(
-                    "`position` and `look_at` are the same point, so the cone has no axis",
-                    "move one of them",
-                )
-            })?;
-            let angle = place.key("cone_angle");
-            let degrees = number(light.cone_angle, [0.0, 180.0], &angle)?;
-            let source = Source::Spot {
-                position,
-                direction: axis,
-                intensity: intensity(light.intensity, &place)?,
-                attenuation: attenuation(light.attenuation, &place)?,
-                cos_cutoff: libm::cos(degrees.to_radians()),
-                exponent: number(light.exponent, [0.0, MAX_EXPONENT], &place.key("exponent"))?,
-            };
-            (&light.name, source, place)
-        }
-    };
-    let name = name.clone();
-    Ok((Light { name, source }, place))
-}
-
-fn attenuation(abc: [f64; 3], place: &Place) -> Result<[f64; 3], SceneError> {
-    let place = place.key("attenuation");
-    for (i, c) in abc.into_iter().enumerate() {
-        number(c, [0.0, MAX_COORDINATE], &place.index(i))?;
-    }
-    if abc == [0.0; 3] {
-        return Err(place.error(
-            "the attenuation 1 / (0 + 0 r + 0 r^2) is endless",
-            "write [1, 0, 0] for none, or [0, 0, 1] for the inverse square law",
-        ));
-    }
-    Ok(abc)
 }

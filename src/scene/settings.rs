@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::accel::AccelKind;
+use crate::math::Sampler;
 use crate::shading::Fresnel;
 
 /// Where the samples of a pixel lie.
@@ -29,6 +30,10 @@ pub struct Settings {
     pub samples: u32,
     /// Where they lie.
     pub sampling: Sampling,
+    /// Shadow rays to an area light, a hit.
+    pub light_samples: u32,
+    /// Where on the light they go.
+    pub sampler: Sampler,
     /// How many times a ray may bounce: 0 stops at what the eye sees directly.
     pub depth: u32,
     /// Rays that could add less than this to the pixel (largest channel of their throughput) are not sent.
@@ -52,6 +57,8 @@ impl Default for Settings {
             height: 240,
             samples: 1,
             sampling: Sampling::default(),
+            light_samples: 16,
+            sampler: Sampler::default(),
             depth: 5,
             min_weight: 1.0 / 512.0,
             seed: 0,

@@ -1,5 +1,6 @@
-//! Lights without an area: their shadows are hard.
+//! Lights: those that shine from a point or along a direction, whose shadows are hard, and areas.
 
+use super::area::Area;
 use crate::math::{DVec3, Rgb};
 
 /// A light and its name in the scene.
@@ -12,7 +13,7 @@ pub struct Light {
 }
 
 /// The kinds of light.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Source {
     /// Shines from one point in all directions.
     Point {
@@ -45,6 +46,8 @@ pub enum Source {
         /// The light falls off from the axis as cos^exponent.
         exponent: f64,
     },
+    /// Shines from every point of an object.
+    Area(Area),
 }
 
 /// A light as one point sees it.
@@ -54,18 +57,21 @@ pub struct Illumination {
     pub direction: DVec3,
     /// How far the light is; infinite for directional ones.
     pub distance: f64,
-    /// 1 / (a + b r + c r^2); 1 for directional lights.
+    /// 1 / (a + b r + c r^2); 1 for directional lights; A cos' / (pi r^2) for the point of an area.
     pub attenuation: f64,
-    /// For spots the cosine between axis and the way to the point, else 1.
+    /// For spots the cosine between axis and the way to the point; for areas cos', that at the light; else 1.
     pub cos_angle: f64,
-    /// What arrives if nothing stands in between: I x attenuation x fall-off; black outside a spot's cone.
+    /// What arrives if nothing stands in between: I x attenuation x fall-off, or Le x attenuation for an area; black
+    /// outside a spot's cone.
     pub intensity: Rgb,
 }
 
 impl Source {
-    /// What arrives at `point`. At the light's own position there is no direction to it: `None`.
-    pub fn at(&self, point: DVec3) -> Option<Illumination> {
+    /// What arrives at `point`; of an area, from the place that `u` in [0, 1)^2 chooses. At the light's own position,
+    /// and at the edge of an area, there is no direction to it: `None`.
+    pub fn at(&self, point: DVec3, u: [f64; 2]) -> Option<Illumination> {
         match *self {
+            Self::Area(ref area) => area.sample(point, u),
             Self::Point {
                 position,
                 intensity,
@@ -105,6 +111,11 @@ impl Source {
         }
     }
 
+    /// True if it shines from more than one point.
+    pub fn is_area(&self) -> bool {
+        matches!(self, Self::Area(_))
+    }
+
     fn from_point(
         position: DVec3,
         intensity: Rgb,
@@ -128,7 +139,7 @@ impl Source {
     pub fn position(&self) -> Option<DVec3> {
         match *self {
             Self::Point { position, .. } | Self::Spot { position, .. } => Some(position),
-            Self::Directional { .. } => None,
+            Self::Directional { .. } | Self::Area(_) => None,
         }
     }
 }
@@ -147,13 +158,13 @@ mod tests {
             cos_cutoff: 0.5,
             exponent: 1.0,
         };
-        let below = spot.at(DVec3::ZERO).expect("not at the light");
+        let below = spot.at(DVec3::ZERO, [0.0; 2]).expect("not at the light");
         assert_eq!((below.distance, below.intensity), (2.0, Rgb::grey(0.25)));
         // 60 degrees and a little more from the axis.
         let outside = spot
-            .at(DVec3::new(3.5, 0.0, 0.0))
+            .at(DVec3::new(3.5, 0.0, 0.0), [0.0; 2])
             .expect("not at the light");
         assert!(outside.intensity.is_black());
-        assert_eq!(spot.at(DVec3::new(0.0, 2.0, 0.0)), None);
+        assert_eq!(spot.at(DVec3::new(0.0, 2.0, 0.0), [0.0; 2]), None);
     }
 }

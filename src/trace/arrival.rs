@@ -4,8 +4,10 @@ use super::View;
 use super::tree::Outcome;
 use crate::geometry::Hit;
 use crate::math::{Ray, Rgb};
+use crate::probe::RayKind;
 use crate::scene::Object;
 use crate::shading::{Illumination, Interaction, Material, optics};
+use crate::tracer::lights::{Asker, illumination};
 
 /// A ray's arrival on a surface, with all that shading used.
 #[derive(Clone, Copy, Debug)]
@@ -53,10 +55,13 @@ impl<'a> View<'a> {
         })
     }
 
-    /// The factors of a light's terms at an arrival; `None` if the light stands just there.
-    pub fn lighting(self, arrival: &Arrival, light: u32) -> Option<Lighting> {
-        let source = &self.world.scene.lights.get(light as usize)?.source;
-        let seen = source.at(arrival.at.point)?;
+    /// The factors of the terms of a light's sample at the hit of a node; `None` if the light stands just there.
+    pub fn lighting(self, node: u32, light: (u32, u32)) -> Option<Lighting> {
+        let scene = &self.world.scene;
+        let arrival = self.arrival(node)?;
+        scene.lights.get(light.0 as usize)?;
+        let asker = self.asker(node);
+        let seen = illumination(scene, self.settings, asker, arrival.at.point, light)?;
         let r = optics::reflect(-seen.direction, arrival.at.normal);
         Some(Lighting {
             light: seen,
@@ -64,6 +69,26 @@ impl<'a> View<'a> {
             r_dot_v: r.dot(arrival.at.to_viewer),
             kd: arrival.material.diffuse_at(arrival.at.uv),
         })
+    }
+
+    /// Who asks at the hit of a node: its pixel, its sample and its path from the eye.
+    fn asker(self, node: u32) -> Asker {
+        let tree = &self.trace.tree;
+        let mut path = Vec::new();
+        let mut here = tree.node(node);
+        while let Some(parent) = here.parent {
+            path.push(here.sent.kind == RayKind::Transmitted);
+            here = tree.node(parent);
+        }
+        let sample = tree.sample_of_node(node).map_or(0, |s| s.index);
+        let eye = Asker::eye((self.trace.x, self.trace.y), sample);
+        path.into_iter().rev().fold(eye, Asker::follow)
+    }
+
+    /// True if a light has an area, so that many rays are sent to it.
+    pub fn is_area(self, light: u32) -> bool {
+        let light = self.world.scene.lights.get(light as usize);
+        light.is_some_and(|l| l.source.is_area())
     }
 
     /// The name of a light.
@@ -90,7 +115,7 @@ impl<'a> View<'a> {
 
     /// What a node's subtree adds to its sample: throughput x radiance; for an L ray the light's terms at its parent.
     pub fn brings(self, node: u32) -> Rgb {
-        use crate::probe::{Event, RayKind};
+        use crate::probe::Event;
         let tree = &self.trace.tree;
         let this = tree.node(node);
         let (RayKind::Light, Some(parent)) = (this.sent.kind, this.parent) else {
@@ -99,7 +124,12 @@ impl<'a> View<'a> {
         let terms = tree
             .own_events(parent)
             .filter_map(|(_, event)| match event {
-                Event::Term { light, value, .. } if *light == this.sent.light => Some(*value),
+                Event::Term {
+                    light,
+                    sample,
+                    value,
+                    ..
+                } if (*light, *sample) == (this.sent.light, this.sent.sample) => Some(*value),
                 _ => None,
             });
         tree.node(parent).throughput * terms.fold(Rgb::BLACK, |sum, value| sum + value)

@@ -87,7 +87,12 @@ pub fn explain(view: View, index: usize) -> Explanation {
         Event::Miss => ray::miss(view),
         Event::Lit => ray::lit(view, node),
         Event::Blocked(_) => ray::blocked(view, node),
-        Event::Term { term, light, value } => surface::term(view, node, term, light, value),
+        Event::Term {
+            term,
+            sample,
+            light,
+            value,
+        } => surface::term(view, node, term, (light, u32::from(sample)), value),
         Event::Boundary {
             n1,
             n2,

@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 
 use self::node::node;
 use super::View;
-use crate::math::Rgb;
+use crate::math::{Rgb, Sampler};
 use crate::scene::Settings;
 use crate::shading::Fresnel;
 
@@ -65,6 +65,8 @@ struct At {
 struct Knobs {
     samples: u32,
     sampling: crate::scene::Sampling,
+    light_samples: u32,
+    sampler: Sampler,
     depth: u32,
     min_weight: f64,
     seed: u64,
@@ -127,6 +129,12 @@ struct Node<C> {
     /// Of L rays.
     #[serde(skip_serializing_if = "Option::is_none")]
     light: Option<String>,
+    /// Of L rays to an area light, which of its samples this is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sample: Option<u32>,
+    /// Of hits that send rays to area lights.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    bundles: Vec<BundleNode>,
     /// Of hits on transparent surfaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     boundary: Option<Boundary>,
@@ -166,6 +174,22 @@ struct HitNode {
     material: String,
 }
 
+/// The shadow rays to one area light, taken together.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Bundle")]
+struct BundleNode {
+    light: String,
+    /// How many places on the light were chosen; for those that are neither lit nor blocked no ray was sent.
+    samples: u32,
+    lit: u32,
+    blocked: u32,
+    /// What the light adds: the sum of its samples' terms, each of which is its share of the mean.
+    mean: Rgb,
+    /// Of the mean, in luminance, estimated as if the samples were independent; absent for one sample.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    standard_error: Option<f64>,
+}
+
 /// How a transparent surface shares light between R and T.
 #[derive(Serialize, JsonSchema)]
 struct Boundary {
@@ -185,6 +209,9 @@ struct TermNode {
     term: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     light: Option<String>,
+    /// Of an area light, the sample that it comes from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sample: Option<u32>,
     value: Rgb,
     /// Ambient: value = ka x ambient_light.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -352,6 +379,8 @@ fn knobs(settings: &Settings) -> Knobs {
     Knobs {
         samples: settings.samples,
         sampling: settings.sampling,
+        light_samples: settings.light_samples,
+        sampler: settings.sampler,
         depth: settings.depth,
         min_weight: settings.min_weight,
         seed: settings.seed,

@@ -14,8 +14,8 @@ pub enum Entry {
     Term {
         /// Which.
         term: Term,
-        /// The light that it comes from, or [`crate::probe::NONE`].
-        light: u32,
+        /// The light that it comes from, or [`crate::probe::NONE`], and the number of its sample.
+        light: (u32, u16),
         /// Its value.
         value: Rgb,
     },
@@ -47,7 +47,16 @@ impl Entry {
 /// The summands of a node's radiance, in the order in which they were added.
 pub fn entries(tree: &RayTree, id: u32) -> Vec<Entry> {
     let terms = tree.own_events(id).filter_map(|(_, event)| match *event {
-        Event::Term { term, light, value } => Some(Entry::Term { term, light, value }),
+        Event::Term {
+            term,
+            sample,
+            light,
+            value,
+        } => Some(Entry::Term {
+            term,
+            light: (light, sample),
+            value,
+        }),
         _ => None,
     });
     let children = tree.children(id).filter_map(|node| {

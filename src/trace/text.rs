@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::View;
 use super::explain::{num, rgb, vec3};
 use super::tree::Outcome;
+use super::{Bundle, View};
 use crate::probe::{Event, NONE, RayKind};
 
 /// A recorded pixel, written as text by `Display`.
@@ -59,6 +59,9 @@ fn subtree(f: &mut fmt::Formatter, view: View, root: u32) -> fmt::Result {
                 writeln!(f, "{rest}{bar}{line}")?;
             }
         }
+        for bundle in view.bundles(id) {
+            writeln!(f, "{rest}{bar}{}", bundle_line(view, &bundle))?;
+        }
         for (i, child) in children.iter().enumerate().rev() {
             let last = i + 1 == children.len();
             let (corner, below) = if last {
@@ -100,6 +103,21 @@ pub fn summary(view: View, id: u32) -> String {
     )
 }
 
+/// One line for the shadow rays to an area light.
+pub fn bundle_line(view: View, bundle: &Bundle) -> String {
+    let error = bundle
+        .standard_error
+        .map_or(String::new(), |error| format!(" +- {}", num(error)));
+    format!(
+        "+ {} {}{error}: {} of {} samples lit, {} blocked",
+        view.light_name(bundle.light),
+        rgb(bundle.mean),
+        bundle.lit,
+        view.settings.light_samples,
+        bundle.blocked
+    )
+}
+
 /// The line of an event that deserves one.
 fn detail(view: View, event: &Event) -> Option<String> {
     let light = |light: u32| {
@@ -115,10 +133,12 @@ fn detail(view: View, event: &Event) -> Option<String> {
             vec3(sent.origin),
             vec3(sent.direction)
         )),
+        Event::Term { light, .. } if view.is_area(light) => None,
         Event::Term {
             term,
             light: id,
             value,
+            ..
         } => Some(format!("+ {}{} {}", term.name(), light(id), rgb(value))),
         Event::Absent {
             kind,

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::foresight::Foresight;
+use super::lights::Asker;
 use super::pixel::{Pixel, pixel};
 use super::stack::on_threads;
 use crate::math::Rgb;
@@ -85,7 +86,8 @@ impl Tile {
             for sample in 0..settings.samples {
                 foresight.ask(world, settings, self, sample);
                 for (at, ray, foreseen) in foresight.pixels() {
-                    pixels[place(at)].add(world, settings, ray, Some(foreseen), &mut probe);
+                    let asker = Asker::eye(at, sample);
+                    pixels[place(at)].add(world, settings, asker, ray, Some(foreseen), &mut probe);
                 }
             }
         }

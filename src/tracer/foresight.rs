@@ -5,8 +5,8 @@
 //! function that it is: it asks a foreseen question like any other, and the answer is the same to the last bit.
 
 use super::film::Tile;
+use super::lights::{Asker, Question, question};
 use super::pixel::film_position;
-use super::whitted::{Question, shadow_question};
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
 use crate::scene::{Settings, World};
@@ -53,20 +53,23 @@ impl Foresight {
         self.blocked.clear();
         self.blocked.resize(self.rays.len() * self.lights, None);
         for light in 0..self.lights {
-            self.ask_light(world, light);
+            if !world.scene.lights[light].source.is_area() {
+                self.ask_light(world, settings, light);
+            }
         }
     }
 
-    /// Asks whether each hit sees one light.
-    fn ask_light(&mut self, world: &World, light: usize) {
+    /// Asks whether each hit sees one light without an area. (An area's many shadow rays make a bundle at each hit.)
+    fn ask_light(&mut self, world: &World, settings: &Settings, light: usize) {
         let scene = &world.scene;
         let (mut places, mut rays) = (Vec::new(), Vec::new());
         for (place, ((ray, _), hit)) in self.rays.iter().zip(&self.hits).enumerate() {
             let Some(hit) = hit else { continue };
             let at = scene.interaction(ray, hit);
             let material = scene.material_of(hit.primitive);
+            let asker = Asker::eye(self.pixels[place], 0);
             if let Ok(Question { ray, lit, .. }) =
-                shadow_question(scene, &at, material, light as u32)
+                question(scene, settings, asker, (&at, material), (light as u32, 0))
             {
                 places.push(place);
                 rays.push((ray, Interval::before(lit.distance)));

@@ -1,7 +1,9 @@
 //! One pixel: its samples, and their weighted sum.
 
 use super::foresight::Foreseen;
+use super::lights::Asker;
 use super::whitted::Tracer;
+use crate::math::points::in_cell;
 use crate::math::sampler::{Dimension, uniform};
 use crate::math::{Ray, Rgb};
 use crate::probe::{Event, Probe};
@@ -33,12 +35,13 @@ impl Pixel {
         &mut self,
         world: &World,
         settings: &Settings,
+        asker: Asker,
         ray: Ray,
         foreseen: Option<Foreseen>,
         probe: &mut P,
     ) {
         let mut tracer = Tracer::new(world, settings, probe).continuing(self.rays);
-        self.color += tracer.eye(ray, foreseen) * weight(settings);
+        self.color += tracer.eye(asker, ray, foreseen) * weight(settings);
         self.rays = tracer.rays;
         self.cut |= tracer.cut;
     }
@@ -67,35 +70,21 @@ pub fn pixel<P: Probe>(
             weight: weight(settings),
         });
         let ray = world.scene.camera.ray(film, settings.size());
-        pixel.add(world, settings, ray, None, probe);
+        let asker = Asker::eye((x, y), index);
+        pixel.add(world, settings, asker, ray, None, probe);
     }
     pixel
 }
 
 /// Where on the film a sample lies: in its cell of a grid over the pixel, in the middle or by chance.
 pub fn film_position(settings: &Settings, (x, y): (u32, u32), index: u32) -> [f64; 2] {
-    let rows = grid_rows(settings.samples);
-    let columns = settings.samples / rows;
-    let [dx, dy] = match settings.sampling {
+    let place = match settings.sampling {
         Sampling::Regular => [0.5, 0.5],
         Sampling::Jittered => [Dimension::FilmX, Dimension::FilmY]
             .map(|dimension| uniform(settings.seed, (x, y), index, dimension)),
     };
-    let column = f64::from(index % columns) + dx;
-    let row = f64::from(index / columns) + dy;
-    [
-        f64::from(x) + column / f64::from(columns),
-        f64::from(y) + row / f64::from(rows),
-    ]
-}
-
-/// The rows of the squarest grid with exactly `samples` cells: the largest divisor up to the square root.
-fn grid_rows(samples: u32) -> u32 {
-    let root = samples.isqrt();
-    (1..=root)
-        .rev()
-        .find(|r| samples.is_multiple_of(*r))
-        .unwrap_or(1)
+    let [u, v] = in_cell(index, settings.samples, place);
+    [f64::from(x) + u, f64::from(y) + v]
 }
 
 #[cfg(test)]
@@ -104,9 +93,6 @@ mod tests {
 
     #[test]
     fn samples_fill_their_pixel_evenly() {
-        for (samples, rows) in [(1, 1), (4, 2), (6, 2), (7, 1), (16, 4), (64, 8)] {
-            assert_eq!(grid_rows(samples), rows);
-        }
         let mut settings = Settings {
             samples: 4,
             ..Settings::default()

@@ -3,10 +3,11 @@
 //! radiance = emission + Ka Ia + sum over lights (Kd (N.L) + Ks (R.V)^n) I + Wr radiance(R) + Wt radiance(T)
 
 use super::foresight::Foreseen;
+use super::lights::{self, Asker, Bundle, Question};
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
-use crate::scene::{Scene, Settings, World};
-use crate::shading::{Illumination, Interaction, Material, Media, Side, optics, phong};
+use crate::scene::{Settings, World};
+use crate::shading::{Interaction, Material, Media, Side, optics, phong};
 
 /// Rays nest at most this deep, whatever depth was asked for: recursion has to end before the stack does.
 pub const MAX_DEPTH: u32 = 1000;
@@ -20,6 +21,7 @@ pub struct Tracer<'a, P> {
     pub rays: u64,
     /// True if a ray was left out only because of [`MAX_DEPTH`] or the ray budget: the picture is not what was asked.
     pub cut: bool,
+    bundle: Bundle,
 }
 
 /// A ray on its way, and what it knows of the path behind it.
@@ -32,46 +34,10 @@ struct Path<'f> {
     /// Product of the weights since the eye: what this ray's radiance counts in the pixel.
     throughput: Rgb,
     media: Media,
+    /// Who it is, for the points on area lights.
+    asker: Asker,
     /// Answers that were found ahead, for silent eye rays.
     foreseen: Option<Foreseen<'f>>,
-}
-
-/// What has to be known before a light counts: whether anything stands on this ray before the light.
-pub struct Question {
-    /// From the surface to the light.
-    pub ray: Ray,
-    /// The light as the surface sees it.
-    pub lit: Illumination,
-    /// N.L, positive.
-    pub n_dot_l: f64,
-}
-
-/// The question to ask of a light, or the reason why none is asked.
-pub fn shadow_question(
-    scene: &Scene,
-    at: &Interaction,
-    m: &Material,
-    light: u32,
-) -> Result<Question, Absence> {
-    if m.diffuse_at(at.uv).is_black() && m.specular.is_black() {
-        return Err(Absence::NoLocalLight);
-    }
-    let source = &scene.lights[light as usize].source;
-    let Some(lit) = source.at(at.point) else {
-        return Err(Absence::FacingAway { n_dot_l: 0.0 });
-    };
-    // The light must be before the surface by both normals, or light would leak through a smooth mesh's back.
-    let n_dot_l = at.normal.dot(lit.direction);
-    let lowest = n_dot_l.min(at.geometric_normal.dot(lit.direction));
-    if lowest <= 0.0 {
-        return Err(Absence::FacingAway { n_dot_l: lowest });
-    }
-    if lit.intensity.is_black() {
-        let cos_angle = lit.cos_angle;
-        return Err(Absence::OutsideCone { cos_angle });
-    }
-    let ray = Ray::new(at.origin_towards(lit.direction), lit.direction);
-    Ok(Question { ray, lit, n_dot_l })
 }
 
 /// What a surface does with a ray that arrived: the two directions and their shares.
@@ -93,6 +59,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             probe,
             rays: 0,
             cut: false,
+            bundle: Bundle::default(),
         }
     }
 
@@ -104,7 +71,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
     }
 
     /// The radiance that arrives at the eye along `ray`, of which something may be foreseen.
-    pub fn eye(&mut self, ray: Ray, foreseen: Option<Foreseen>) -> Rgb {
+    pub fn eye(&mut self, asker: Asker, ray: Ray, foreseen: Option<Foreseen>) -> Rgb {
         self.radiance(&Path {
             kind: RayKind::Incident,
             ray,
@@ -112,6 +79,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             weight: Rgb::WHITE,
             throughput: Rgb::WHITE,
             media: self.world.eye_media,
+            asker,
             foreseen,
         })
     }
@@ -129,7 +97,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             self.add(
                 &mut sum,
                 Term::Background,
-                NONE,
+                (NONE, 0),
                 self.world.scene.background,
             );
             return self.done(sum);
@@ -141,11 +109,11 @@ impl<'a, P: Probe> Tracer<'a, P> {
 
         // What the surface sends out itself, and its share of the light that is everywhere.
         if !material.emission.is_black() {
-            self.add(&mut sum, Term::Emission, NONE, material.emission);
+            self.add(&mut sum, Term::Emission, (NONE, 0), material.emission);
         }
         let ambient = phong::ambient(material.ambient_at(at.uv), scene.ambient);
         if !ambient.is_black() {
-            self.add(&mut sum, Term::Ambient, NONE, ambient);
+            self.add(&mut sum, Term::Ambient, (NONE, 0), ambient);
         }
         // What each light adds, unless something stands in its way.
         for light in 0..scene.lights.len() as u32 {
@@ -159,49 +127,88 @@ impl<'a, P: Probe> Tracer<'a, P> {
         self.done(sum)
     }
 
-    /// One light: a shadow ray to it, and if that arrives the diffuse and the specular term.
+    /// One light: a shadow ray to it, many to an area, and for each that arrives the diffuse and the specular term.
     fn light(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, m: &Material, light: u32) {
-        let asked = shadow_question(&self.world.scene, at, m, light).and_then(|question| {
+        let count = lights::samples(&self.world.scene, self.settings, light);
+        if !P::LISTENS && count > 1 {
+            return self.light_in_a_bundle(sum, path, (at, m), light, count);
+        }
+        for sample in 0..count {
+            let Some(question) = self.question(path, (at, m), (light, sample)) else {
+                continue;
+            };
+            if !self.shadowed(path, (light, sample), &question) {
+                self.lit(sum, (at, m), (light, sample), &question);
+            }
+        }
+    }
+
+    /// The same with all shadow rays asked together.
+    fn light_in_a_bundle(
+        &mut self,
+        sum: &mut Rgb,
+        path: &Path,
+        surface: (&Interaction, &Material),
+        light: u32,
+        count: u32,
+    ) {
+        let mut bundle = std::mem::take(&mut self.bundle);
+        bundle.questions.clear();
+        for sample in 0..count {
+            let question = self.question(path, surface, (light, sample));
+            bundle.questions.extend(question.map(|q| (sample, q)));
+        }
+        bundle.answer(self.world);
+        for ((sample, question), blocked) in bundle.questions.iter().zip(&bundle.blocked) {
+            if !blocked {
+                self.lit(sum, surface, (light, *sample), question);
+            }
+        }
+        self.bundle = bundle;
+    }
+
+    /// What is to be asked of a sample of a light, if anything.
+    fn question(
+        &mut self,
+        path: &Path,
+        surface: (&Interaction, &Material),
+        light: (u32, u32),
+    ) -> Option<Question> {
+        let scene = &self.world.scene;
+        let asked = lights::question(scene, self.settings, path.asker, surface, light);
+        let allowed = asked.and_then(|question| {
             if self.out_of_rays() {
                 Err(Absence::RayBudget)
             } else {
                 Ok(question)
             }
         });
-        let question = match asked {
-            Ok(question) => question,
+        match allowed {
+            Ok(question) => {
+                self.rays += 1;
+                Some(question)
+            }
             Err(reason) => {
-                return self.probe.event(Event::Absent {
+                self.probe.event(Event::Absent {
                     kind: RayKind::Light,
-                    light,
+                    light: light.0,
                     reason,
                 });
+                None
             }
-        };
-        if self.shadowed(path, light, &question) {
-            return;
-        }
-        let Question { lit, n_dot_l, .. } = question;
-        let diffuse = phong::diffuse(m.diffuse_at(at.uv), lit.intensity, n_dot_l);
-        self.add(sum, Term::Diffuse, light, diffuse);
-        if !m.specular.is_black() {
-            let r = optics::reflect(-lit.direction, at.normal);
-            let r_dot_v = r.dot(at.to_viewer);
-            let specular = phong::specular(m.specular, lit.intensity, r_dot_v, m.shininess);
-            self.add(sum, Term::Specular, light, specular);
         }
     }
 
     /// Sends a shadow ray: true if anything stands before the light. Transparent things block it as well.
-    fn shadowed(&mut self, path: &Path, light: u32, question: &Question) -> bool {
+    fn shadowed(&mut self, path: &Path, (light, sample): (u32, u32), question: &Question) -> bool {
         let Question { ray, lit, .. } = question;
-        self.rays += 1;
         let foreseen = path.foreseen.and_then(|f| f.blocked[light as usize]);
         if let Some(blocked) = foreseen {
             return blocked;
         }
         self.probe.event(Event::Ray(RaySent {
             kind: RayKind::Light,
+            sample: sample as u16,
             depth: path.depth + 1,
             light,
             medium: path.media.current(),
@@ -216,6 +223,25 @@ impl<'a, P: Probe> Tracer<'a, P> {
             radiance: Rgb::BLACK,
         });
         blocker.is_some()
+    }
+
+    /// What a light adds that nothing stands before.
+    fn lit(
+        &mut self,
+        sum: &mut Rgb,
+        (at, m): (&Interaction, &Material),
+        light: (u32, u32),
+        question: &Question,
+    ) {
+        let Question { lit, n_dot_l, .. } = question;
+        let diffuse = phong::diffuse(m.diffuse_at(at.uv), lit.intensity, *n_dot_l);
+        self.add(sum, Term::Diffuse, light, diffuse);
+        if !m.specular.is_black() {
+            let r = optics::reflect(-lit.direction, at.normal);
+            let r_dot_v = r.dot(at.to_viewer);
+            let specular = phong::specular(m.specular, lit.intensity, r_dot_v, m.shininess);
+            self.add(sum, Term::Specular, light, specular);
+        }
     }
 
     /// How the surface shares light between reflection and transmission.
@@ -318,6 +344,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
                     weight,
                     throughput,
                     media,
+                    asker: path.asker.follow(kind == RayKind::Transmitted),
                     foreseen: None,
                 });
                 *sum += weight * radiance;
@@ -356,6 +383,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
         self.rays += 1;
         self.probe.event(Event::Ray(RaySent {
             kind: path.kind,
+            sample: 0,
             depth: path.depth,
             light: NONE,
             medium: path.media.current(),
@@ -367,9 +395,14 @@ impl<'a, P: Probe> Tracer<'a, P> {
     }
 
     /// Adds a term to the sum, and tells of it.
-    fn add(&mut self, sum: &mut Rgb, term: Term, light: u32, value: Rgb) {
+    fn add(&mut self, sum: &mut Rgb, term: Term, (light, sample): (u32, u32), value: Rgb) {
         *sum += value;
-        self.probe.event(Event::Term { term, light, value });
+        self.probe.event(Event::Term {
+            term,
+            sample: sample as u16,
+            light,
+            value,
+        });
     }
 
     /// Tells of a ray that is done.

@@ -75,6 +75,16 @@ fn of_shape(shape: &Shape) -> Option<Outline> {
             plane.normal().dot(plane.origin()),
         )),
         Shape::Cuboid(cuboid) => Some(Outline::Edges(edges(cuboid.bounds.corners()))),
+        Shape::Disc(disc) => {
+            let rim = |[c, s]: [f64; 2]| {
+                disc.center + disc.radius * (c * disc.frame.u + s * disc.frame.v)
+            };
+            let points: Vec<_> = turns().map(rim).collect();
+            let next = points.iter().cycle().skip(1);
+            Some(Outline::Edges(
+                points.iter().zip(next).map(|(a, b)| [*a, *b]).collect(),
+            ))
+        }
         Shape::Placed(placed) => {
             let to_world = |p: &DVec3| placed.transform.point(*p);
             match of_shape(&placed.shape)? {

@@ -152,7 +152,12 @@ fn lit(session: &Session, id: u32) -> Rgb {
     let terms = tree
         .own_events(parent)
         .filter_map(|(_, event)| match *event {
-            Event::Term { light, value, .. } if light == node.sent.light => Some(value),
+            Event::Term {
+                light,
+                sample,
+                value,
+                ..
+            } if (light, sample) == (node.sent.light, node.sent.sample) => Some(value),
             _ => None,
         });
     terms.fold(Rgb::BLACK, |sum, value| sum + value)

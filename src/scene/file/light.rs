@@ -16,6 +16,8 @@ pub enum LightFile {
     Directional(DirectionalFile),
     /// Shines from one point into a cone.
     Spot(SpotFile),
+    /// Shines from the whole surface of an object: its shadows are soft.
+    Area(AreaFile),
 }
 
 /// A point light.
@@ -71,6 +73,18 @@ pub struct SpotFile {
     /// The light falls off from the axis as the cosine to this power.
     #[serde(default = "exponent")]
     pub exponent: f64,
+}
+
+/// An area light. It sends out the `emission` of the object's material, from both sides.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AreaFile {
+    /// Its name.
+    pub name: String,
+    /// What it is there for.
+    pub note: Option<String>,
+    /// The name of the object that shines: a sphere, a disc, a triangle, a quad, a box along the axes or a mesh.
+    pub object: String,
 }
 
 fn attenuation() -> [f64; 3] {

@@ -13,6 +13,8 @@ pub enum ObjectFile {
     Sphere(SphereFile),
     /// An endless plane.
     Plane(PlaneFile),
+    /// A disc.
+    Disc(DiscFile),
     /// A triangle.
     Triangle(TriangleFile),
     /// A parallelogram: two triangles.
@@ -63,6 +65,27 @@ pub struct PlaneFile {
     pub point: Vector,
     /// The direction at right angles to it; any length but 0.
     pub normal: Vector,
+}
+
+/// A disc. u runs once around it, v from the centre (0) to the rim (1).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DiscFile {
+    /// Its name.
+    pub name: String,
+    /// What it is there for.
+    pub note: Option<String>,
+    /// The name of its material.
+    pub material: String,
+    /// How it is placed.
+    #[serde(default)]
+    pub transform: Vec<TransformStep>,
+    /// The centre.
+    pub center: Vector,
+    /// The direction at right angles to it, on its front; any length but 0.
+    pub normal: Vector,
+    /// The radius, above 0.
+    pub radius: f64,
 }
 
 /// A triangle. Its front is the side from which the corners run counter-clockwise.

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::math::Sampler;
 use crate::scene::Sampling;
 use crate::shading::Fresnel;
 
@@ -18,6 +19,10 @@ pub struct SettingsFile {
     pub samples: Option<u32>,
     /// Where the samples of a pixel lie.
     pub sampling: Option<Sampling>,
+    /// Shadow rays to an area light, a hit.
+    pub light_samples: Option<u32>,
+    /// Where on the light they go.
+    pub sampler: Option<Sampler>,
     /// How many times a ray may bounce.
     pub depth: Option<u32>,
     /// Rays that could add less than this to the pixel are not sent.

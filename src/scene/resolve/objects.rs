@@ -4,7 +4,7 @@ use super::checks::{self, direction, point, positive};
 use super::meshes::{directions, inline, points, quad};
 use super::placement::placed;
 use super::{Builder, shapes};
-use crate::geometry::{Aabb, Shape, Sphere};
+use crate::geometry::{Aabb, Disc, Shape, Sphere};
 use crate::math::{DVec3, Transform};
 use crate::scene::error::{Place, Problem, SceneError};
 use crate::scene::file::{ObjectFile, TransformStep, Vector};
@@ -73,6 +73,18 @@ impl Builder {
                 let turn_shows = self.scene.materials[material as usize].checker.is_some();
                 let sphere = Sphere { center, radius };
                 let shape = shapes::sphere(sphere, header.map.as_ref(), turn_shows);
+                self.single(&header, material, shape)
+            }
+            ObjectFile::Disc(d) => {
+                let place = place.key("disc");
+                let center = point(d.center, &place.key("center"))?;
+                let normal = direction(d.normal, &place.key("normal"))?;
+                let radius = positive(d.radius, &place.key("radius"))?;
+                let header = header(&d.name, &d.transform, group, place)?;
+                let material = self.material(&d.material, &header.place)?;
+                let disc = Disc::new(center, normal, radius);
+                let turn_shows = self.scene.materials[material as usize].checker.is_some();
+                let shape = shapes::disc(disc, header.map.as_ref(), turn_shows);
                 self.single(&header, material, shape)
             }
             ObjectFile::Plane(p) => {

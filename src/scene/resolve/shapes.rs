@@ -1,6 +1,6 @@
 //! Shapes in the world: what can be is carried there, the rest keeps its own space.
 
-use crate::geometry::{Aabb, Cuboid, Placed, Plane, Shape, Sphere};
+use crate::geometry::{Aabb, Cuboid, Disc, Placed, Plane, Shape, Sphere};
 use crate::math::{DVec3, Transform};
 
 /// A sphere in the world. Scaled evenly it stays a sphere; stretched, or turned where its surface coordinates can
@@ -15,6 +15,21 @@ pub fn sphere(sphere: Sphere, map: Option<&Transform>, turn_shows: bool) -> Shap
             radius: sphere.radius * scale,
         }),
         _ => placed(Shape::Sphere(sphere), map),
+    }
+}
+
+/// A disc in the world. Scaled evenly it stays a disc, as long as nobody sees where its u begins.
+pub fn disc(disc: Disc, map: Option<&Transform>, turn_shows: bool) -> Shape {
+    let Some(map) = map else {
+        return Shape::Disc(disc);
+    };
+    match map.uniform_scale() {
+        Some(scale) if !turn_shows => Shape::Disc(Disc::new(
+            map.point(disc.center),
+            map.normal(disc.frame.w),
+            disc.radius * scale,
+        )),
+        _ => placed(Shape::Disc(disc), map),
     }
 }
 

@@ -213,10 +213,16 @@ pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
         format!("{} brings back its sum", this.sent.kind.letter()),
         "The terms and the weighted rays, added in this order, are the radiance to the last bit.",
     );
+    for bundle in view.bundles(node) {
+        let light = view.light_name(bundle.light);
+        let name = format!("+ {light}, {} samples", bundle.lit);
+        explanation = explanation.color(name, bundle.mean);
+    }
     for entry in ledger::entries(tree, node) {
         explanation = match entry {
+            Entry::Term { light, .. } if view.is_area(light.0) => explanation,
             Entry::Term { term, light, value } => {
-                let light = view.light_name(light);
+                let light = view.light_name(light.0);
                 let space = if light.is_empty() { "" } else { " " };
                 explanation.color(format!("+ {}{space}{light}", term.name()), value)
             }

@@ -65,7 +65,7 @@ pub fn hit(view: View, node: u32) -> Explanation {
 }
 
 /// A term of the shading equation.
-pub fn term(view: View, node: u32, term: Term, light: u32, value: Rgb) -> Explanation {
+pub fn term(view: View, node: u32, term: Term, light: (u32, u32), value: Rgb) -> Explanation {
     let explanation = base_term(view, node, term, light);
     let throughput = view.trace.tree.node(node).throughput;
     explanation.color(term.name(), value).row(
@@ -79,10 +79,13 @@ pub fn term(view: View, node: u32, term: Term, light: u32, value: Rgb) -> Explan
     )
 }
 
-fn base_term(view: View, node: u32, term: Term, light: u32) -> Explanation {
-    let name = view.light_name(light);
+fn base_term(view: View, node: u32, term: Term, light: (u32, u32)) -> Explanation {
+    let mut name = view.light_name(light.0).to_owned();
+    if view.is_area(light.0) {
+        name = format!("{name}, sample {}", light.1);
+    }
     let arrival = view.arrival(node);
-    let lighting = arrival.as_ref().and_then(|a| view.lighting(a, light));
+    let lighting = view.lighting(node, light);
     match (term, arrival, lighting) {
         (Term::Ambient, Some(arrival), _) => Explanation::new(
             "ambient term",

@@ -1,9 +1,10 @@
 //! From the log to the nodes of the document.
 
-use super::{AbsentNode, Boundary, HitNode, Lazy, Node, Step, TermNode, Tested};
+use super::{AbsentNode, Boundary, BundleNode, HitNode, Lazy, Node, Step, TermNode, Tested};
 use crate::math::{DVec3, Rgb};
 use crate::probe::{Absence, Event, NONE, RayKind, Term, Verdict, Visit};
 use crate::shading::Side;
+use crate::trace::Bundle;
 use crate::trace::View;
 use crate::trace::arrival::Arrival;
 use crate::trace::tree::Outcome;
@@ -20,8 +21,14 @@ pub fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
     let (mut terms, mut absent, mut traversal) = (Vec::new(), Vec::new(), Vec::new());
     for (_, event) in tree.own_events(id) {
         match *event {
-            Event::Term { term, light, value } => {
-                terms.push(term_node(view, arrival.as_ref(), term, light, value));
+            Event::Term {
+                term,
+                sample,
+                light,
+                value,
+            } => {
+                let light = (light, u32::from(sample));
+                terms.push(term_node(view, id, arrival.as_ref(), (term, light), value));
             }
             Event::Absent {
                 kind,
@@ -68,6 +75,12 @@ pub fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
         }),
         hit: arrival.as_ref().map(hit_node),
         light: light_name(view, sent.light),
+        sample: view.is_area(sent.light).then(|| u32::from(sent.sample)),
+        bundles: view
+            .bundles(id)
+            .iter()
+            .map(|b| bundle_node(view, b))
+            .collect(),
         boundary,
         terms,
         radiance: sums.then_some(this.radiance),
@@ -107,21 +120,22 @@ fn hit_node(arrival: &Arrival) -> HitNode {
 /// A term with the factors that it was made of.
 fn term_node(
     view: View,
+    node: u32,
     arrival: Option<&Arrival>,
-    term: Term,
-    light: u32,
+    (term, light): (Term, (u32, u32)),
     value: Rgb,
 ) -> TermNode {
     let plain = TermNode {
         term: term.name(),
-        light: light_name(view, light),
+        light: light_name(view, light.0),
+        sample: view.is_area(light.0).then_some(light.1),
         value,
         ..TermNode::default()
     };
     let Some(arrival) = arrival else {
         return plain;
     };
-    let lighting = view.lighting(arrival, light);
+    let lighting = view.lighting(node, light);
     let intensity = lighting.map(|l| l.light.intensity);
     match term {
         Term::Emission | Term::Background => plain,
@@ -143,6 +157,17 @@ fn term_node(
             shininess: Some(arrival.material.shininess),
             ..plain
         },
+    }
+}
+
+fn bundle_node(view: View, bundle: &Bundle) -> BundleNode {
+    BundleNode {
+        light: view.light_name(bundle.light).to_owned(),
+        samples: view.settings.light_samples,
+        lit: bundle.lit,
+        blocked: bundle.blocked,
+        mean: bundle.mean,
+        standard_error: bundle.standard_error,
     }
 }
 

@@ -35,6 +35,7 @@ fn huge() -> RayTree {
         }
         recorder.event(Event::Ray(RaySent {
             kind,
+            sample: 0,
             depth,
             light: NONE,
             medium: NONE,

@@ -1,0 +1,240 @@
+//! Lights with an area: their shadows are soft.
+//!
+//! A diffuse surface at p that sees a light of radiance Le sends back
+//!
+//! Kd/pi  x  integral over the light's area of  Le V cos cos' / |p - q|^2  dA(q)
+//!
+//! where cos is the cosine at p, cos' that at q, and V is 1 if nothing stands between them. Each sample is one point q:
+//! a point light of intensity Le A cos' / (pi |p - q|^2), and the mean over the samples estimates the integral.
+//! Source: Cook, Porter and Carpenter 1984, "Distributed ray tracing"; Shirley, Wang and Zimmerman 1996, "Monte Carlo
+//! techniques for direct lighting calculations".
+
+use std::f64::consts::{PI, TAU};
+
+use super::light::Illumination;
+use crate::geometry::{Disc, Shape, Sphere, Triangle};
+use crate::math::rounding::{gamma, offset_origin};
+use crate::math::{DVec3, Frame, Rgb};
+
+/// An area that shines from both sides, everywhere and in all directions alike.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Area {
+    /// Le: the radiance that it sends out.
+    pub radiance: Rgb,
+    /// A: its area in square metres.
+    pub area: f64,
+    /// Its form.
+    pub form: Form,
+}
+
+/// What a point can be chosen on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Form {
+    /// A parallelogram: the corner, and the edges that leave it.
+    Parallelogram(DVec3, DVec3, DVec3),
+    /// A disc.
+    Disc(Disc),
+    /// A sphere.
+    Sphere(Sphere),
+    /// Triangles, each with the area of those before it and its own.
+    Mesh(Vec<(Triangle, f64)>),
+}
+
+/// A point of a light.
+struct Point {
+    at: DVec3,
+    /// The unit normal there.
+    normal: DVec3,
+    /// 1 / density: the area that it stands for. (For a sphere seen from outside less than the whole.)
+    area: f64,
+}
+
+impl Area {
+    /// The light that these shapes make together; `None` if one of them has no end or was stretched, or if they have
+    /// no area.
+    pub fn new(shapes: &[Shape], radiance: Rgb) -> Option<Self> {
+        let (form, area) = match shapes {
+            [Shape::Sphere(sphere)] => {
+                let area = 4.0 * PI * sphere.radius * sphere.radius;
+                (Form::Sphere(*sphere), area)
+            }
+            [Shape::Disc(disc)] => (Form::Disc(*disc), PI * disc.radius * disc.radius),
+            [Shape::Triangle(s), Shape::Triangle(t)] if parallelogram(s, t) => {
+                let [a, b, c] = s.corners;
+                // The halves are a b c and a c d: the edges leave b.
+                let (u, v) = (a - b, c - b);
+                (Form::Parallelogram(b, u, v), u.cross(v).length())
+            }
+            _ => mesh(shapes)?,
+        };
+        (area > 0.0 && area.is_finite()).then_some(Self {
+            radiance,
+            area,
+            form,
+        })
+    }
+
+    /// The light as `point` sees it at the place that `u` in [0, 1)^2 chooses: direction and distance to that place,
+    /// and what arrives from there if nothing stands between, as a share of the mean. `None` if the light is seen from
+    /// its edge there.
+    pub fn sample(&self, point: DVec3, u: [f64; 2]) -> Option<Illumination> {
+        let chosen = self.point(point, u)?;
+        let to_point = point - chosen.at;
+        // The end of the shadow ray must lie before the light, or the light would stand in its own way: it is as far
+        // off the surface as the next ray's origin would be, for the errors at both ends of the ray.
+        let reach = chosen.at.abs().max(point.abs()).max_element();
+        let error = DVec3::splat(gamma(128) * reach);
+        let end = offset_origin(chosen.at, error, chosen.normal, to_point);
+        let to_light = end - point;
+        let distance = to_light.length();
+        let direction = to_light.try_normalize()?;
+        let cos_angle = chosen.normal.dot(direction).abs();
+        let squared = to_point.length_squared();
+        let attenuation = chosen.area * cos_angle / (PI * squared);
+        (cos_angle > 0.0 && attenuation.is_finite()).then_some(Illumination {
+            direction,
+            distance,
+            attenuation,
+            cos_angle,
+            intensity: self.radiance * attenuation,
+        })
+    }
+
+    /// A point of the light.
+    fn point(&self, from: DVec3, [u, v]: [f64; 2]) -> Option<Point> {
+        match &self.form {
+            Form::Parallelogram(corner, e, f) => Some(Point {
+                at: corner + u * e + v * f,
+                normal: e.cross(*f).try_normalize()?,
+                area: self.area,
+            }),
+            Form::Disc(disc) => Some(Point {
+                at: on_disc(disc, [u, v]),
+                normal: disc.frame.w,
+                area: self.area,
+            }),
+            Form::Mesh(triangles) => {
+                // u chooses the triangle, by area, and then what is left of it a place in the triangle.
+                let target = u * self.area;
+                let number = triangles.partition_point(|(_, sum)| *sum <= target);
+                let number = number.min(triangles.len() - 1);
+                let before = number.checked_sub(1).map_or(0.0, |n| triangles[n].1);
+                let (triangle, sum) = &triangles[number];
+                let rest = ((target - before) / (sum - before)).clamp(0.0, 1.0);
+                Some(Point {
+                    at: in_triangle(triangle, rest, v),
+                    normal: triangle.normal()?,
+                    area: self.area,
+                })
+            }
+            Form::Sphere(sphere) => on_sphere(sphere, self.area, from, [u, v]),
+        }
+    }
+}
+
+/// Even in the triangle: the root spreads what would crowd at corner a.
+/// Source: Turk 1990, "Generating random points in triangles", Graphics Gems.
+fn in_triangle(triangle: &Triangle, u: f64, v: f64) -> DVec3 {
+    let [a, b, c] = triangle.corners;
+    let root = u.sqrt();
+    a * (1.0 - root) + b * (root * (1.0 - v)) + c * (root * v)
+}
+
+/// Even on the disc: the square's rings of equal area become rings of equal area, and neighbours stay neighbours, so that
+/// what was spread evenly stays so. Source: Shirley and Chiu 1997, "A low distortion map between disk and square".
+fn on_disc(disc: &Disc, [u, v]: [f64; 2]) -> DVec3 {
+    let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+    // The ring is told by the larger coordinate, the place on it by the smaller one: an eighth turn a triangle.
+    let (r, turn) = if x == 0.0 && y == 0.0 {
+        (0.0, 0.0)
+    } else if x.abs() > y.abs() {
+        (x, y / x / 8.0)
+    } else {
+        (y, 0.25 - x / y / 8.0)
+    };
+    let (sin, cos) = libm::sincos(TAU * turn);
+    disc.center + disc.radius * r * (cos * disc.frame.u + sin * disc.frame.v)
+}
+
+/// From outside, even in the cone that the sphere fills, so that no sample falls on its far side; from inside, even on
+/// its surface. Source: Shirley, Wang and Zimmerman 1996; the cone near its axis without cancellation: PBR, 4th
+/// edition, section 6.2.4.
+fn on_sphere(sphere: &Sphere, area: f64, from: DVec3, [u, v]: [f64; 2]) -> Option<Point> {
+    let Sphere { center, radius } = *sphere;
+    let (sin_turn, cos_turn) = libm::sincos(TAU * v);
+    let to_center = center - from;
+    let distance = to_center.length();
+    if distance <= radius {
+        let z = 1.0 - 2.0 * u;
+        let r = (1.0 - z * z).max(0.0).sqrt();
+        let normal = DVec3::new(r * cos_turn, r * sin_turn, z);
+        let at = center + radius * normal;
+        return Some(Point { at, normal, area });
+    }
+    // cos of the cone's half angle, and one minus it: sin^2 / (1 + cos) keeps its digits for small spheres.
+    let sin2_max = (radius / distance) * (radius / distance);
+    let cos_max = (1.0 - sin2_max).sqrt();
+    let one_minus_cos_max = sin2_max / (1.0 + cos_max);
+    // The direction's angle from the axis, even in solid angle.
+    let one_minus_cos = u * one_minus_cos_max;
+    let sin2 = (one_minus_cos * (2.0 - one_minus_cos)).min(sin2_max);
+    let cos = 1.0 - one_minus_cos;
+    // Where it meets the sphere, as an angle seen from the centre (law of sines).
+    let cos_alpha = sin2 / (sin2_max.sqrt()) + cos * (1.0 - sin2 / sin2_max).max(0.0).sqrt();
+    let sin_alpha = (1.0 - cos_alpha * cos_alpha).max(0.0).sqrt();
+    let frame = Frame::around(-to_center / distance);
+    let normal = (frame.u * cos_turn + frame.v * sin_turn) * sin_alpha + frame.w * cos_alpha;
+    let at = center + radius * normal;
+    // The solid angle, as the area that this point stands for: dA = dw |p - q|^2 / cos'.
+    let solid_angle = TAU * one_minus_cos_max;
+    let to_point = from - at;
+    let cos_angle = normal.dot(to_point.try_normalize()?);
+    let area = solid_angle * to_point.length_squared() / cos_angle;
+    (cos_angle > 0.0).then_some(Point { at, normal, area })
+}
+
+/// True if b c d makes one parallelogram of a b c and a c d, as far as rounding lets one say.
+fn parallelogram(s: &Triangle, t: &Triangle) -> bool {
+    let ([a, b, c], [a2, c2, d]) = (s.corners, t.corners);
+    let off = ((b - a) - (c - d)).abs().max_element();
+    let reach = [a, b, c, d].map(|p| p.abs().max_element());
+    a == a2 && c == c2 && off <= gamma(8) * reach.into_iter().fold(0.0, f64::max)
+}
+
+/// The triangles of a mesh and the sides of a box, with the sum of their areas.
+fn mesh(shapes: &[Shape]) -> Option<(Form, f64)> {
+    let (mut triangles, mut sum) = (Vec::with_capacity(shapes.len()), 0.0);
+    let mut add = |corners: [DVec3; 3]| {
+        let [a, b, c] = corners;
+        let area = (b - a).cross(c - a).length() / 2.0;
+        if area > 0.0 {
+            sum += area;
+            triangles.push((Triangle { corners }, sum));
+        }
+    };
+    for shape in shapes {
+        match shape {
+            Shape::Triangle(triangle) => add(triangle.corners),
+            Shape::Cuboid(cuboid) => {
+                // Corner i has the upper bound where i has a one: x is bit 0. Each side as a loop of corners.
+                let corners = cuboid.bounds.corners();
+                for [a, b, c, d] in SIDES {
+                    add([corners[a], corners[b], corners[c]]);
+                    add([corners[a], corners[c], corners[d]]);
+                }
+            }
+            Shape::Sphere(_) | Shape::Disc(_) | Shape::Plane(_) | Shape::Placed(_) => return None,
+        }
+    }
+    Some((Form::Mesh(triangles), sum))
+}
+
+/// The corners of a box's sides.
+const SIDES: [[usize; 4]; 6] = [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+];

@@ -1,0 +1,108 @@
+//! The shadow rays of one hit to one area light, taken together.
+
+use super::View;
+use super::tree::Outcome;
+use crate::math::Rgb;
+use crate::probe::{Event, RayKind};
+
+/// How one place sees an area light: an estimate of an integral, and how far it may be off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bundle {
+    /// The light.
+    pub light: u32,
+    /// Samples that arrived at the light.
+    pub lit: u32,
+    /// Samples with something in the way.
+    pub blocked: u32,
+    /// Samples for which no ray was sent: that part of the light is behind the surface.
+    pub absent: u32,
+    /// What the light adds: the mean over the samples, since each brings its share.
+    pub mean: Rgb,
+    /// The estimated standard error of the mean, in luminance, as if the samples were independent; they are not with
+    /// `stratified` and `sobol`, whose true error is smaller. `None` for fewer than two samples.
+    pub standard_error: Option<f64>,
+}
+
+impl View<'_> {
+    /// The bundles of a node's hit, light by light.
+    pub fn bundles(self, node: u32) -> Vec<Bundle> {
+        let tree = &self.trace.tree;
+        let lights = 0..self.world.scene.lights.len() as u32;
+        let areas: Vec<u32> = lights.filter(|light| self.is_area(*light)).collect();
+        if areas.is_empty() || tree.node(node).sent.kind == RayKind::Light {
+            return Vec::new();
+        }
+        let bundles = areas.into_iter().map(|light| self.bundle(node, light));
+        bundles
+            .filter(|bundle| bundle.lit + bundle.blocked > 0)
+            .collect()
+    }
+
+    /// The bundle of a node's hit and one area light.
+    pub fn bundle(self, node: u32, light: u32) -> Bundle {
+        let tree = &self.trace.tree;
+        let rays = || tree.children(node).map(|child| tree.node(child));
+        let count = |wanted: fn(Outcome) -> bool| {
+            let ours = rays().filter(|ray| ray.sent.light == light);
+            ours.filter(|ray| ray.outcome.is_some_and(wanted)).count() as u32
+        };
+        let lit = count(|outcome| outcome == Outcome::Lit);
+        let blocked = count(|outcome| matches!(outcome, Outcome::Blocked(_)));
+        // What each sample brought: its terms stand one after the other. The others brought nothing.
+        let mut brought: Vec<(u16, Rgb)> = Vec::new();
+        for (_, event) in tree.own_events(node) {
+            match event {
+                Event::Term {
+                    light: l,
+                    sample,
+                    value,
+                    ..
+                } if *l == light => match brought.last_mut() {
+                    Some((last, sum)) if last == sample => *sum += *value,
+                    _ => brought.push((*sample, *value)),
+                },
+                _ => {}
+            }
+        }
+        let mean = brought.iter().fold(Rgb::BLACK, |sum, (_, x)| sum + *x);
+        let n = self.settings.light_samples;
+        let brought = brought.iter().map(|(_, x)| x.luminance());
+        Bundle {
+            light,
+            lit,
+            blocked,
+            absent: n.saturating_sub(lit + blocked),
+            mean,
+            standard_error: standard_error(brought, f64::from(n)),
+        }
+    }
+}
+
+/// The estimated standard error of a sum of n independent shares, of which those that are not named are 0:
+/// sqrt(n / (n - 1) sum (x - mean)^2).
+fn standard_error(shares: impl Iterator<Item = f64> + Clone, n: f64) -> Option<f64> {
+    if n < 2.0 {
+        return None;
+    }
+    let mean = shares.clone().sum::<f64>() / n;
+    let named = shares.clone().count() as f64;
+    let squares: f64 = shares.map(|x| (x - mean) * (x - mean)).sum();
+    Some((n / (n - 1.0) * (squares + (n - named) * mean * mean)).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_error_of_a_coin_is_known() {
+        // Half of 100 shares of 1/100: the mean is 1/2, the standard deviation of one coin 1/2 (100/99)^1/2.
+        let shares = [0.01; 50];
+        let error = standard_error(shares.into_iter(), 100.0).expect("more than one");
+        assert!(
+            (error - 0.05 * (100.0f64 / 99.0).sqrt()).abs() < 1e-15,
+            "{error}"
+        );
+        assert_eq!(standard_error([0.5].into_iter(), 1.0), None);
+    }
+}

@@ -1,0 +1,145 @@
+//! What a place on a surface asks of a light: whether anything stands on the way to it.
+
+use crate::math::points::Run;
+use crate::math::sampler::light_run;
+use crate::math::{DVec3, Interval, Ray, Sampler};
+use crate::probe::Absence;
+use crate::scene::{Scene, Settings, World};
+use crate::shading::{Illumination, Interaction, Material};
+
+/// Who asks: each has points on the lights of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Asker {
+    /// The pixel.
+    pub pixel: (u32, u32),
+    /// The sample of the pixel.
+    pub sample: u32,
+    /// The number of the path from the eye, by [`Asker::follow`].
+    pub path: u64,
+}
+
+/// What has to be known before a light counts: whether anything stands on this ray before the light.
+#[derive(Clone, Copy, Debug)]
+pub struct Question {
+    /// From the surface to the light.
+    pub ray: Ray,
+    /// The light as the surface sees it; of an area, this sample's share.
+    pub lit: Illumination,
+    /// N.L, positive.
+    pub n_dot_l: f64,
+}
+
+/// The questions of one place to one light, and the answers: room that is used again and again.
+#[derive(Debug, Default)]
+pub struct Bundle {
+    /// Each with the number of its sample.
+    pub questions: Vec<(u32, Question)>,
+    rays: Vec<(Ray, Interval)>,
+    /// Question by question, whether something stands in the way.
+    pub blocked: Vec<bool>,
+}
+
+impl Asker {
+    /// The eye ray of a sample.
+    pub fn eye(pixel: (u32, u32), sample: u32) -> Self {
+        Self {
+            pixel,
+            sample,
+            path: 0,
+        }
+    }
+
+    /// The next ray on the path, reflected or transmitted: a path is a number to the base 3, without zeros.
+    #[must_use]
+    pub fn follow(self, transmitted: bool) -> Self {
+        let path = self.path.wrapping_mul(3).wrapping_add(1);
+        Self {
+            path: path.wrapping_add(u64::from(transmitted)),
+            ..self
+        }
+    }
+
+    /// The place on light number `light` that sample number `sample` asks for, in [0, 1)^2. The samples of all hits of
+    /// a pixel at the end of the same path are one run; only a grid is a whole one at each hit.
+    pub fn point(self, settings: &Settings, light: u32, sample: u32) -> [f64; 2] {
+        let here = settings.light_samples;
+        let run = Run {
+            key: light_run(settings.seed, self.pixel, self.path, light),
+            count: match settings.sampler {
+                Sampler::Grid => here,
+                _ => here * settings.samples,
+            },
+        };
+        settings.sampler.point(run, self.sample * here + sample)
+    }
+}
+
+/// How many shadow rays a place sends to a light.
+pub fn samples(scene: &Scene, settings: &Settings, light: u32) -> u32 {
+    if scene.lights[light as usize].source.is_area() {
+        settings.light_samples
+    } else {
+        1
+    }
+}
+
+/// The light as `at` sees it; of an area, what one sample adds to the mean.
+pub fn illumination(
+    scene: &Scene,
+    settings: &Settings,
+    asker: Asker,
+    point: DVec3,
+    (light, sample): (u32, u32),
+) -> Option<Illumination> {
+    let source = &scene.lights[light as usize].source;
+    if !source.is_area() {
+        return source.at(point, [0.0; 2]);
+    }
+    let seen = source.at(point, asker.point(settings, light, sample))?;
+    Some(Illumination {
+        intensity: seen.intensity * (1.0 / f64::from(settings.light_samples)),
+        ..seen
+    })
+}
+
+/// The question to ask of a light with one sample of it, or the reason why none is asked.
+pub fn question(
+    scene: &Scene,
+    settings: &Settings,
+    asker: Asker,
+    (at, m): (&Interaction, &Material),
+    light: (u32, u32),
+) -> Result<Question, Absence> {
+    if m.diffuse_at(at.uv).is_black() && m.specular.is_black() {
+        return Err(Absence::NoLocalLight);
+    }
+    let Some(lit) = illumination(scene, settings, asker, at.point, light) else {
+        return Err(Absence::FacingAway { n_dot_l: 0.0 });
+    };
+    // The light must be before the surface by both normals, or light would leak through a smooth mesh's back.
+    let n_dot_l = at.normal.dot(lit.direction);
+    let lowest = n_dot_l.min(at.geometric_normal.dot(lit.direction));
+    if lowest <= 0.0 {
+        return Err(Absence::FacingAway { n_dot_l: lowest });
+    }
+    if lit.intensity.is_black() {
+        let cos_angle = lit.cos_angle;
+        return Err(Absence::OutsideCone { cos_angle });
+    }
+    let ray = Ray::new(at.origin_towards(lit.direction), lit.direction);
+    Ok(Question { ray, lit, n_dot_l })
+}
+
+impl Bundle {
+    /// Answers all questions together.
+    pub fn answer(&mut self, world: &World) {
+        self.rays.clear();
+        let rays = self.questions.iter();
+        self.rays
+            .extend(rays.map(|(_, q)| (q.ray, Interval::before(q.lit.distance))));
+        self.blocked.clear();
+        self.blocked.resize(self.rays.len(), false);
+        let shapes = &world.scene.shapes;
+        world.accel.any_many(shapes, &self.rays, &mut self.blocked);
+    }
+}
