@@ -1,6 +1,7 @@
 //! The command line: one file a command.
 
 mod color;
+mod effects;
 mod output;
 mod render;
 mod scenes;
@@ -49,6 +50,8 @@ enum Command {
     Render(render::Render),
     /// Write the ray tree of one pixel
     Trace(trace::Trace),
+    /// Tell which effects a scene calls for, and why
+    Effects(effects::Effects),
     /// List the built-in scenes
     Scenes(scenes::Scenes),
     /// Print the JSON Schema of scene files or of ray trees
@@ -82,6 +85,7 @@ fn run(cli: Cli) -> Result<Done, Failure> {
         Some(Command::View(command)) => command.run(),
         Some(Command::Render(command)) => command.run(),
         Some(Command::Trace(command)) => command.run(),
+        Some(Command::Effects(command)) => command.run(),
         Some(Command::Scenes(command)) => command.run(),
         Some(Command::Schema(command)) => command.run(),
         Some(Command::Completions { shell }) => {

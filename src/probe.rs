@@ -98,6 +98,13 @@ pub enum Event {
         /// Where, if the ray's line crosses the primitive at all; else NaN.
         t: f64,
     },
+    /// Many shadow rays to an area light follow: each of them, or its absence.
+    Bundle {
+        /// The light.
+        light: u32,
+        /// How many.
+        samples: u32,
+    },
     /// An I, R or T ray ends on a surface.
     Hit(Hit),
     /// An I, R or T ray leaves the scene.
@@ -276,6 +283,8 @@ pub enum Absence {
     DepthLimit,
     /// The pixel's share of the ray budget is used up.
     RayBudget,
+    /// The user left this effect out.
+    EffectOff,
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 
 pub mod builtin;
 pub mod camera;
+pub mod effects;
 pub mod error;
 pub mod file;
 mod files;
@@ -21,6 +22,7 @@ mod sketch;
 mod spd;
 
 pub use camera::Camera;
+pub use effects::{Effect, Effects};
 pub use error::SceneError;
 pub use generated::list as generated;
 pub use load::{list, load};

@@ -182,6 +182,39 @@ fn lists_and_schemas_are_printed() {
 }
 
 #[test]
+fn effects_are_listed_and_what_is_left_out_is_said() {
+    let ran = run(&["effects", "soft-shadow"]);
+    assert_eq!(ran.code, 0);
+    let text = String::from_utf8(ran.out).expect("UTF-8");
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines[1], "soft-shadows  on   light `lamp` has an area");
+    assert_eq!(
+        lines[4],
+        "refraction    off  no material has a transmission coefficient"
+    );
+    let json = run(&["effects", "glass-block", "--json"]).out;
+    let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
+    assert_eq!(json[4]["effect"], "refraction");
+    assert_eq!(json[4]["on"], true);
+    let whole = run(&["render", "whitted", "--size", "8x6"]);
+    assert_eq!(whole.err, "");
+    let part = run(&[
+        "render",
+        "whitted",
+        "--size",
+        "8x6",
+        "--without",
+        "refraction,soft-shadows",
+    ]);
+    assert_eq!(part.err, "note: refraction is left out: no T rays\n");
+    refused(
+        &["render", "whitted", "--without", "gravity"],
+        2,
+        &["refraction"],
+    );
+}
+
+#[test]
 fn a_wrong_command_line_is_status_2() {
     refused(
         &["render", "whitted", "--size", "0x0"],

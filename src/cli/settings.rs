@@ -8,7 +8,8 @@ use crate::accel::AccelKind;
 use crate::accel::fastest;
 use crate::geometry::Shape;
 use crate::math::Sampler;
-use crate::scene::{Sampling, Scene, Settings, World, limits};
+use crate::scene::effects::effects;
+use crate::scene::{Effect, Sampling, Scene, Settings, World, limits};
 use crate::shading::Fresnel;
 
 /// What decides on the accelerator if the user does not.
@@ -54,6 +55,9 @@ pub struct SettingsArgs {
     /// Factor on the picture before it is clamped
     #[arg(long, value_name = "X", value_parser = parse_not_negative)]
     exposure: Option<f64>,
+    /// Effects to leave out, though the scene calls for them
+    #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect_names())]
+    without: Vec<Effect>,
     /// Seed of all random numbers
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
@@ -129,6 +133,10 @@ impl SettingsArgs {
             }),
             depth: self.depth.unwrap_or(asked.depth),
             min_weight: self.min_weight.unwrap_or(asked.min_weight),
+            effects: self
+                .without
+                .iter()
+                .fold(effects(scene), |set, effect| set.without(*effect)),
             seed: self.seed.unwrap_or(asked.seed),
             fresnel: self.fresnel.map_or(asked.fresnel, |f| match f {
                 FresnelArg::None => Fresnel::None,
@@ -154,6 +162,9 @@ impl SceneArgs {
             eprintln!("warning: {warning}");
         }
         let settings = self.settings.over(&scene, accel);
+        for effect in settings.left_out(&scene) {
+            eprintln!("note: {} is left out: {}", effect.name(), effect.without());
+        }
         Ok((World::new(scene, settings.accel), settings))
     }
 }
@@ -165,6 +176,14 @@ fn accels() -> impl TypedValueParser<Value = AccelArg> {
     PossibleValuesParser::new(std::iter::once(auto).chain(kinds)).map(|name| {
         let kind = AccelKind::ALL.into_iter().find(|kind| kind.name() == name);
         kind.map_or(AccelArg::Auto, AccelArg::Kind)
+    })
+}
+
+fn effect_names() -> impl TypedValueParser<Value = Effect> {
+    let names = Effect::ALL.map(|e| PossibleValue::new(e.name()).help(e.without()));
+    PossibleValuesParser::new(names).map(|name| {
+        let effect = Effect::ALL.into_iter().find(|e| e.name() == name);
+        effect.unwrap_or(Effect::Shadows)
     })
 }
 

@@ -29,6 +29,7 @@ impl Absence {
             Self::MinWeight { .. } => "min-weight",
             Self::DepthLimit => "depth-limit",
             Self::RayBudget => "ray-budget",
+            Self::EffectOff => "effect-off",
         }
     }
 }

@@ -156,6 +156,7 @@ fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneError> 
         seed: file.seed.unwrap_or(default.seed),
         fresnel: file.fresnel.unwrap_or(default.fresnel),
         exposure: optional(file.exposure, default.exposure, "exposure")?,
+        effects: default.effects,
         accel: default.accel,
         max_rays: default.max_rays,
     })

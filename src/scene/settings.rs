@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Scene;
+use super::effects::{Effect, Effects, effects};
 use crate::accel::AccelKind;
 use crate::math::Sampler;
 use crate::shading::Fresnel;
@@ -38,6 +40,8 @@ pub struct Settings {
     pub depth: u32,
     /// Rays that could add less than this to the pixel (largest channel of their throughput) are not sent.
     pub min_weight: f64,
+    /// What is simulated: at most what the scene calls for, unless somebody wants to see that this is enough.
+    pub effects: Effects,
     /// Seed of all random numbers.
     pub seed: u64,
     /// How transparent surfaces share light between R and T.
@@ -61,6 +65,7 @@ impl Default for Settings {
             sampler: Sampler::default(),
             depth: 5,
             min_weight: 1.0 / 512.0,
+            effects: Effects::ALL,
             seed: 0,
             fresnel: Fresnel::default(),
             exposure: 1.0,
@@ -71,6 +76,23 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Effects that the scene calls for and that are left out all the same.
+    pub fn left_out(&self, scene: &Scene) -> impl Iterator<Item = Effect> {
+        let (called_for, kept) = (effects(scene), self.effects);
+        Effect::ALL
+            .into_iter()
+            .filter(move |effect| called_for.has(*effect) && !kept.has(*effect))
+    }
+
+    /// Shadow rays to an area light, a hit: one to its middle if soft shadows are left out.
+    pub fn rays_to_area(&self) -> u32 {
+        if self.effects.has(Effect::SoftShadows) {
+            self.light_samples
+        } else {
+            1
+        }
+    }
+
     /// Width and height.
     pub fn size(&self) -> (u32, u32) {
         (self.width, self.height)

@@ -65,7 +65,7 @@ impl View<'_> {
             }
         }
         let mean = brought.iter().fold(Rgb::BLACK, |sum, (_, x)| sum + *x);
-        let n = self.settings.light_samples;
+        let n = self.settings.rays_to_area();
         let brought = brought.iter().map(|(_, x)| x.luminance());
         Bundle {
             light,

@@ -83,6 +83,7 @@ pub fn explain(view: View, index: usize) -> Explanation {
             verdict,
             t,
         } => traversal::test(view, node, primitive, verdict, t),
+        Event::Bundle { light, .. } => surface::bundle(view, node, light),
         Event::Hit(_) => surface::hit(view, node),
         Event::Miss => ray::miss(view),
         Event::Lit => ray::lit(view, node),

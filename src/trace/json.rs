@@ -12,7 +12,7 @@ use serde::{Serialize, Serializer};
 use self::node::node;
 use super::View;
 use crate::math::{Rgb, Sampler};
-use crate::scene::Settings;
+use crate::scene::{Effect, Scene, Settings};
 use crate::shading::Fresnel;
 
 /// The value of `format`.
@@ -71,6 +71,9 @@ struct Knobs {
     min_weight: f64,
     seed: u64,
     fresnel: Fresnel,
+    /// Effects that the user left out: the picture is not that of the whole scene.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    without: Vec<&'static str>,
     exposure: f64,
     max_rays: u64,
     accel: &'static str,
@@ -355,7 +358,7 @@ pub fn document(view: View) -> impl Serialize {
             x: trace.x,
             y: trace.y,
         },
-        settings: knobs(settings),
+        settings: knobs(settings, &world.scene),
         color: Color {
             linear: trace.pixel.color,
             srgb8: (trace.pixel.color * settings.exposure).to_srgb8(),
@@ -375,7 +378,7 @@ pub fn document(view: View) -> impl Serialize {
     }
 }
 
-fn knobs(settings: &Settings) -> Knobs {
+fn knobs(settings: &Settings, scene: &Scene) -> Knobs {
     Knobs {
         samples: settings.samples,
         sampling: settings.sampling,
@@ -385,6 +388,7 @@ fn knobs(settings: &Settings) -> Knobs {
         min_weight: settings.min_weight,
         seed: settings.seed,
         fresnel: settings.fresnel,
+        without: settings.left_out(scene).map(Effect::name).collect(),
         exposure: settings.exposure,
         max_rays: settings.max_rays,
         accel: settings.accel.name(),

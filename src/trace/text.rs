@@ -113,7 +113,7 @@ pub fn bundle_line(view: View, bundle: &Bundle) -> String {
         view.light_name(bundle.light),
         rgb(bundle.mean),
         bundle.lit,
-        view.settings.light_samples,
+        view.settings.rays_to_area(),
         bundle.blocked
     )
 }

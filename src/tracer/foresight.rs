@@ -9,7 +9,7 @@ use super::lights::{Asker, Question, question};
 use super::pixel::film_position;
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
-use crate::scene::{Settings, World};
+use crate::scene::{Effect, Settings, World};
 
 /// The edge of the blocks in which a tile's rays are put side by side: a block's rays make one bundle.
 const BLOCK: u32 = 4;
@@ -53,7 +53,8 @@ impl Foresight {
         self.blocked.clear();
         self.blocked.resize(self.rays.len() * self.lights, None);
         for light in 0..self.lights {
-            if !world.scene.lights[light].source.is_area() {
+            let is_area = world.scene.lights[light].source.is_area();
+            if !is_area && settings.effects.has(Effect::Shadows) {
                 self.ask_light(world, settings, light);
             }
         }

@@ -4,7 +4,7 @@ use crate::math::points::Run;
 use crate::math::sampler::light_run;
 use crate::math::{DVec3, Interval, Ray, Sampler};
 use crate::probe::Absence;
-use crate::scene::{Scene, Settings, World};
+use crate::scene::{Effect, Scene, Settings, World};
 use crate::shading::{Illumination, Interaction, Material};
 
 /// Who asks: each has points on the lights of its own.
@@ -62,6 +62,9 @@ impl Asker {
     /// The place on light number `light` that sample number `sample` asks for, in [0, 1)^2. The samples of all hits of
     /// a pixel at the end of the same path are one run; only a grid is a whole one at each hit.
     pub fn point(self, settings: &Settings, light: u32, sample: u32) -> [f64; 2] {
+        if !settings.effects.has(Effect::SoftShadows) {
+            return [0.5, 0.5];
+        }
         let here = settings.light_samples;
         let run = Run {
             key: light_run(settings.seed, self.pixel, self.path, light),
@@ -77,7 +80,7 @@ impl Asker {
 /// How many shadow rays a place sends to a light.
 pub fn samples(scene: &Scene, settings: &Settings, light: u32) -> u32 {
     if scene.lights[light as usize].source.is_area() {
-        settings.light_samples
+        settings.rays_to_area()
     } else {
         1
     }
@@ -97,7 +100,7 @@ pub fn illumination(
     }
     let seen = source.at(point, asker.point(settings, light, sample))?;
     Some(Illumination {
-        intensity: seen.intensity * (1.0 / f64::from(settings.light_samples)),
+        intensity: seen.intensity * (1.0 / f64::from(settings.rays_to_area())),
         ..seen
     })
 }

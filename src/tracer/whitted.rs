@@ -6,7 +6,7 @@ use super::foresight::Foreseen;
 use super::lights::{self, Asker, Bundle, Question};
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
-use crate::scene::{Settings, World};
+use crate::scene::{Effect, Settings, World};
 use crate::shading::{Interaction, Material, Media, Side, optics, phong};
 
 /// Rays nest at most this deep, whatever depth was asked for: recursion has to end before the stack does.
@@ -130,8 +130,12 @@ impl<'a, P: Probe> Tracer<'a, P> {
     /// One light: a shadow ray to it, many to an area, and for each that arrives the diffuse and the specular term.
     fn light(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, m: &Material, light: u32) {
         let count = lights::samples(&self.world.scene, self.settings, light);
-        if !P::LISTENS && count > 1 {
+        if !P::LISTENS && count > 1 && self.settings.effects.has(Effect::Shadows) {
             return self.light_in_a_bundle(sum, path, (at, m), light, count);
+        }
+        if count > 1 {
+            let samples = count;
+            self.probe.event(Event::Bundle { light, samples });
         }
         for sample in 0..count {
             let Some(question) = self.question(path, (at, m), (light, sample)) else {
@@ -185,7 +189,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
         });
         match allowed {
             Ok(question) => {
-                self.rays += 1;
+                self.rays += u64::from(self.settings.effects.has(Effect::Shadows));
                 Some(question)
             }
             Err(reason) => {
@@ -205,6 +209,14 @@ impl<'a, P: Probe> Tracer<'a, P> {
         let foreseen = path.foreseen.and_then(|f| f.blocked[light as usize]);
         if let Some(blocked) = foreseen {
             return blocked;
+        }
+        if !self.settings.effects.has(Effect::Shadows) {
+            self.probe.event(Event::Absent {
+                kind: RayKind::Light,
+                light,
+                reason: Absence::EffectOff,
+            });
+            return false;
         }
         self.probe.event(Event::Ray(RaySent {
             kind: RayKind::Light,
@@ -236,7 +248,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
         let Question { lit, n_dot_l, .. } = question;
         let diffuse = phong::diffuse(m.diffuse_at(at.uv), lit.intensity, *n_dot_l);
         self.add(sum, Term::Diffuse, light, diffuse);
-        if !m.specular.is_black() {
+        if !m.specular.is_black() && self.settings.effects.has(Effect::Highlights) {
             let r = optics::reflect(-lit.direction, at.normal);
             let r_dot_v = r.dot(at.to_viewer);
             let specular = phong::specular(m.specular, lit.intensity, r_dot_v, m.shininess);
@@ -290,6 +302,8 @@ impl<'a, P: Probe> Tracer<'a, P> {
         let n_dot_r = at.geometric_normal.dot(direction);
         let absence = if split.reflected.is_black() {
             Some(Absence::NoReflection)
+        } else if !self.settings.effects.has(Effect::Reflection) {
+            Some(Absence::EffectOff)
         } else if n_dot_r <= 0.0 {
             Some(Absence::BelowSurface { n_dot_r })
         } else {
@@ -305,6 +319,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             Err(k) if k < 0.0 => Err(Absence::TotalInternalReflection { k }),
             _ if split.transmitted.is_black() => Err(Absence::NoTransmission),
             Err(_) => Err(Absence::NoTransmission),
+            Ok(_) if !self.settings.effects.has(Effect::Refraction) => Err(Absence::EffectOff),
             Ok(direction) => {
                 // Through a surface means to the other side of it, by the geometric normal.
                 let n_dot_r = at.geometric_normal.dot(direction);

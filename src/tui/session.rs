@@ -129,35 +129,29 @@ impl Session {
             return;
         };
         let tree = &self.trace.tree;
-        let open =
-            !row.absent && self.rows.has_children(tree, row.node) && !self.rows.is_closed(row.node);
-        if close && !open {
-            let parent = if row.absent {
-                Some(row.node)
-            } else {
-                tree.node(row.node).parent
-            };
-            if let Some(parent) = parent {
+        let foldable = self.rows.has_children(row);
+        if close && (!foldable || self.rows.is_closed(row)) {
+            if let Some(parent) = Rows::parent(tree, row) {
                 self.go(Cursor::at_node(&self.trace.tree, parent));
             }
             return;
         }
-        if row.absent {
+        if !foldable {
             return;
         }
-        // On a closed ray the current event must be one that its row stands for.
+        // On a closed row the current event must be one that it stands for.
         if close {
-            self.go(Cursor::at_node(&self.trace.tree, row.node));
+            self.go(Cursor::at(&self.trace.tree, row.event as usize));
         }
-        self.rows.close(&self.trace.tree, row.node, close);
+        self.rows.close(row, close);
     }
 
     /// Shows what hangs on the current ray if it is hidden, else hides it.
     pub fn toggle(&mut self) {
         if let Some(row) = self.rows.get(self.row())
-            && !row.absent
+            && self.rows.has_children(row)
         {
-            self.fold(!self.rows.is_closed(row.node));
+            self.fold(!self.rows.is_closed(row));
         }
     }
 }

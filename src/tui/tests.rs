@@ -1,6 +1,8 @@
 //! The debugger without a terminal: actions in, screens out.
 
+mod bundle;
 mod huge;
+mod mouse;
 
 use std::time::{Duration, Instant};
 
@@ -24,11 +26,16 @@ use crate::tracer::picture::ColorLevel;
 use crate::tracer::pixel;
 
 fn app_with(width: u16, height: u16, change: impl FnOnce(&mut Options)) -> App {
-    let scene = crate::scene::load("whitted").expect("a built-in scene");
+    of_scene("whitted", width, height, change)
+}
+
+fn of_scene(scene: &str, width: u16, height: u16, change: impl FnOnce(&mut Options)) -> App {
+    let name = scene.to_owned();
+    let scene = crate::scene::load(scene).expect("a built-in scene");
     let settings = scene.settings;
     let world = World::new(scene, settings.accel);
     let mut options = Options {
-        scene: "whitted".to_owned(),
+        scene: name,
         color: ColorLevel::True,
         mouse: true,
         threads: 2,
@@ -405,31 +412,6 @@ fn few_colours_are_those_of_the_palette() {
             .iter()
             .all(|c| !rgb(c.fg) && !rgb(c.bg))
     );
-}
-
-#[test]
-fn the_mouse_picks_opens_and_selects() {
-    let mut app = app(120, 36);
-    app.point(Mouse::Press, Position::new(10, 5));
-    assert_eq!(app.picture.cursor, (10, 10));
-    app.point(Mouse::Drag, Position::new(50, 20));
-    assert_eq!(app.picture.cursor, (50, 40));
-    assert!(!app.is_busy());
-    app.point(Mouse::Press, Position::new(50, 20));
-    settle(&mut app);
-    assert!(app.session.is_some(), "a second click opens");
-    // The third row of the tree.
-    let tree = app.panes().tree;
-    app.point(Mouse::Press, Position::new(tree.x + 5, tree.y + 3));
-    assert_eq!(app.session.as_ref().map(|s| s.row()), Some(2));
-    // The small picture picks another pixel.
-    let before = app.picture.cursor;
-    let picture = app.panes().picture;
-    app.point(Mouse::Press, Position::new(picture.x + 20, picture.y + 9));
-    settle(&mut app);
-    assert_ne!(app.picture.cursor, before);
-    let traced = app.session.as_ref().map(|s| (s.trace.x, s.trace.y));
-    assert_eq!(traced, Some(app.picture.cursor));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
 
 use super::draw::write;
-use super::rows::{Row, Rows};
+use super::rows::{Row, RowKind, Rows};
 use super::session::Session;
 use super::theme;
 use crate::math::Rgb;
@@ -73,16 +73,21 @@ fn draw_row(
     let mut line = Line::default();
     line.push_span(Span::raw(if current { theme::POINTER } else { " " }).bold());
     line.push_span(Span::raw(guides(session, row, shift)).style(theme::dim()));
-    let end = if row.absent {
+    let fold = match session.rows.has_children(row) {
+        true if session.rows.is_closed(row) => "▸",
+        true => "▾",
+        false => " ",
+    };
+    let end = if row.kind == RowKind::Absent {
         line.push_span(Span::styled(absence(session, row), theme::dim()));
         Line::default()
+    } else if row.kind == RowKind::Bundle {
+        line.push_span(Span::raw(fold));
+        let kind = RayKind::Light;
+        line.push_span(Span::styled(kind.letter(), theme::kind_style(kind)));
+        bundle(session, row, level, &mut line)
     } else {
         let node = session.tree().node(row.node);
-        let fold = match session.rows.has_children(session.tree(), row.node) {
-            true if session.rows.is_closed(row.node) => "▸",
-            true => "▾",
-            false => " ",
-        };
         line.push_span(Span::raw(fold));
         let kind = node.sent.kind;
         line.push_span(Span::styled(kind.letter(), theme::kind_style(kind)));
@@ -96,7 +101,9 @@ fn draw_row(
         // The colours at the end stay as they are: reversed they would lie.
         let marked = Rect {
             x: place.x + 1,
-            width: place.width.saturating_sub(if row.absent { 1 } else { 4 }),
+            width: place
+                .width
+                .saturating_sub(if row.kind == RowKind::Absent { 1 } else { 4 }),
             ..place
         };
         buffer.set_style(marked.intersection(buffer.area), theme::current());
@@ -119,6 +126,33 @@ fn name(session: &Session, node: &Node) -> String {
         Some(Outcome::Miss) => format!("{to}background"),
         None => format!("{to}not finished"),
     }
+}
+
+/// The rays to an area light, together: writes the name, gives the share of the pixel and the colour.
+fn bundle(session: &Session, row: Row, level: ColorLevel, line: &mut Line) -> Line<'static> {
+    let (view, tree) = (session.view(), session.tree());
+    let Some(Event::Bundle { light, samples }) = tree.events.get(row.event as usize) else {
+        return Line::default();
+    };
+    let bundle = view.bundle(row.node, *light);
+    let name = view.light_name(*light);
+    line.push_span(Span::raw(format!(
+        " {samples} to {name}: {} lit, {} blocked",
+        bundle.lit, bundle.blocked
+    )));
+    let pixel = view.trace.pixel.color.luminance();
+    let weight = tree.sample_of_node(row.node).map_or(1.0, |s| s.weight);
+    let brought = tree.node(row.node).throughput * bundle.mean * weight;
+    let share = if pixel > 0.0 {
+        brought.luminance() / pixel * 100.0
+    } else {
+        0.0
+    };
+    Line::from(vec![
+        Span::raw(format!(" {share:>6.1} % ")),
+        theme::swatch(bundle.mean * session.settings.exposure, level),
+        Span::raw(" "),
+    ])
 }
 
 /// t, share of the pixel, colour.
@@ -207,18 +241,14 @@ fn guides(session: &Session, row: Row, shift: usize) -> String {
             (false, false) => "│ ",
         });
         own = false;
-        let parent = if at.absent {
-            Some(at.node)
-        } else {
-            tree.node(at.node).parent
-        };
-        let Some(parent) = parent else {
+        let Some(parent) = Rows::parent(tree, at) else {
             break;
         };
         at = Row {
             event: tree.node(parent).first_event,
+            end: tree.node(parent).last_event,
             node: parent,
-            absent: false,
+            kind: RowKind::Ray,
         };
     }
     if shift > 0 {

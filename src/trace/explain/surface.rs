@@ -127,6 +127,45 @@ fn base_term(view: View, node: u32, term: Term, light: (u32, u32)) -> Explanatio
     }
 }
 
+/// Many rays to an area light.
+pub fn bundle(view: View, node: u32, light: u32) -> Explanation {
+    let name = view.light_name(light);
+    let n = view.settings.rays_to_area();
+    let bundle = view.bundle(node, light);
+    let explanation = Explanation::new(
+        format!("{n} rays to `{name}`"),
+        "How much of the light can be seen from here is guessed from places on it: the more, the nearer to the truth.",
+    )
+    .row("", "Kd/pi integral of Le V cos cos' / r^2 over the light's area")
+    .row(
+        "samples",
+        format!("{n}, chosen by the sampler `{}`", view.settings.sampler.name()),
+    )
+    .row("lit", format!("{} of {n}", bundle.lit))
+    .row("blocked", bundle.blocked.to_string())
+    .row("not sent", format!("{}: no light comes from there", bundle.absent))
+    .color("mean", bundle.mean);
+    let Some(error) = bundle.standard_error else {
+        return explanation;
+    };
+    let mean = bundle.mean.luminance();
+    let part = if mean > 0.0 { error / mean } else { 0.0 };
+    explanation
+        .row(
+            "standard error",
+            format!(
+                "{} of {} ({:.1} %), in luminance",
+                num(error),
+                num(mean),
+                part * 100.0
+            ),
+        )
+        .row(
+            "half the error",
+            format!("{} rays, if they are chosen at random", 4 * u64::from(n)),
+        )
+}
+
 /// A transparent surface shares light between R and T.
 pub fn boundary(view: View, node: u32, n1: f64, n2: f64, reflectance: f64) -> Explanation {
     let explanation = Explanation::new(
@@ -219,6 +258,11 @@ pub fn absent(view: View, node: u32, kind: RayKind, light: u32, reason: Absence)
             "The depth limit ends the recursion here: what it would bring back is missing in the pixel.",
             "depth",
             format!("{depth} of {}", settings.depth),
+        ),
+        Absence::EffectOff => (
+            "This effect was switched off: the picture is not that of the whole scene.",
+            "effect",
+            "off".to_owned(),
         ),
         Absence::RayBudget => (
             "The pixel has used up its share of the ray budget: the picture is cut short here.",

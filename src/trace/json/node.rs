@@ -163,7 +163,7 @@ fn term_node(
 fn bundle_node(view: View, bundle: &Bundle) -> BundleNode {
     BundleNode {
         light: view.light_name(bundle.light).to_owned(),
-        samples: view.settings.light_samples,
+        samples: view.settings.rays_to_area(),
         lit: bundle.lit,
         blocked: bundle.blocked,
         mean: bundle.mean,

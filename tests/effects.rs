@@ -1,0 +1,188 @@
+//! Effects: what is derived from a scene is enough, what is off costs nothing, what is left out is said.
+
+mod common;
+
+use proptest::prelude::*;
+use raytree::math::Rgb;
+use raytree::probe::Silent;
+use raytree::scene::effects::Effect::{
+    self, Highlights, Reflection, Refraction, Shadows, SoftShadows,
+};
+use raytree::scene::effects::{Effects, effects, findings};
+use raytree::scene::{self, Scene, Settings, World};
+use raytree::trace::Counts;
+use raytree::tracer::{Flow, render};
+
+fn small(scene: &Scene, effects: Effects) -> Settings {
+    Settings {
+        width: 40,
+        height: 30,
+        samples: 2,
+        light_samples: 4,
+        effects,
+        ..scene.settings
+    }
+}
+
+fn bits(world: &World, settings: &Settings) -> Vec<[u64; 3]> {
+    let film = render::<Silent>(world, settings, 2, &|_, _| Flow::Continue).0;
+    film.pixels
+        .iter()
+        .map(|p: &Rgb| p.channels().map(f64::to_bits))
+        .collect()
+}
+
+fn counts(world: &World, settings: &Settings) -> Counts {
+    let (_, counts) = render::<Counts>(world, settings, 2, &|_, _| Flow::Continue);
+    counts.iter().fold(Counts::default(), Counts::plus)
+}
+
+/// The picture with what the scene calls for is the picture with everything, and what is off was not done.
+fn is_enough(scene: Scene) {
+    let called_for = effects(&scene);
+    let (few, all) = (small(&scene, called_for), small(&scene, Effects::ALL));
+    let name = scene.name.clone();
+    let world = World::new(scene, few.accel);
+    assert_eq!(bits(&world, &few), bits(&world, &all), "{name}");
+    let counts = counts(&world, &few);
+    if !called_for.has(Effect::Shadows) {
+        assert_eq!(counts.light, 0, "{name}");
+    }
+    if !called_for.has(Effect::Reflection) {
+        assert_eq!(counts.reflected, 0, "{name}");
+    }
+    if !called_for.has(Effect::Refraction) {
+        assert_eq!(counts.transmitted, 0, "{name}");
+    }
+}
+
+#[test]
+fn what_the_built_in_scenes_call_for_is_enough() {
+    for (name, _) in scene::list() {
+        is_enough(scene::load(name).expect("a built-in scene"));
+    }
+}
+
+#[test]
+fn each_effect_is_found_where_it_is_and_not_where_it_is_not() {
+    let on = |name: &str| {
+        let scene = scene::load(name).expect("a built-in scene");
+        let on = findings(&scene).into_iter().filter(|f| f.on);
+        on.map(|f| f.effect).collect::<Vec<_>>()
+    };
+    assert_eq!(on("triangle"), [Shadows, Highlights]);
+    assert_eq!(on("soft-shadow"), [Shadows, SoftShadows, Highlights]);
+    assert_eq!(on("whitted"), [Shadows, Highlights, Reflection, Refraction]);
+}
+
+#[test]
+fn leaving_an_effect_out_changes_the_picture_and_nothing_else() {
+    let differs = |name: &str, effect: Effect| {
+        let scene = scene::load(name).expect("a built-in scene");
+        let whole = small(&scene, Effects::ALL);
+        let part = small(&scene, Effects::ALL.without(effect));
+        assert_eq!(part.left_out(&scene).collect::<Vec<_>>(), [effect]);
+        assert_eq!(whole.left_out(&scene).count(), 0);
+        let world = World::new(scene, whole.accel);
+        assert_ne!(
+            bits(&world, &whole),
+            bits(&world, &part),
+            "{name}, {effect:?}"
+        );
+        (counts(&world, &whole), counts(&world, &part))
+    };
+    let (_, part) = differs("whitted", Effect::Shadows);
+    assert_eq!(part.light, 0);
+    let (_, part) = differs("whitted", Effect::Reflection);
+    assert_eq!(part.reflected, 0);
+    let (whole, part) = differs("nested-glass", Effect::Refraction);
+    assert!(whole.transmitted > 0 && part.transmitted == 0);
+    let (whole, part) = differs("soft-shadow", Effect::SoftShadows);
+    assert!(part.light > 0 && whole.light > 3 * part.light);
+    let (whole, part) = differs("whitted", Effect::Highlights);
+    assert_eq!(whole, part, "highlights cost no rays");
+}
+
+#[test]
+fn the_noise_of_one_effect_does_not_move_with_another() {
+    // Without highlights the soft shadows on what has none are the same, sample by sample.
+    let scene = scene::load("soft-shadow").expect("a built-in scene");
+    let whole = small(&scene, Effects::ALL);
+    let part = small(&scene, Effects::ALL.without(Effect::Highlights));
+    let world = World::new(scene, whole.accel);
+    let (whole, part) = (bits(&world, &whole), bits(&world, &part));
+    let same = whole.iter().zip(&part).filter(|(a, b)| a == b).count();
+    assert!(same > 1000, "only {same} of 1200 pixels are the same");
+}
+
+/// A coefficient that is often nothing.
+fn share() -> impl Strategy<Value = f64> {
+    prop_oneof![2 => Just(0.0), 1 => 0.1..0.9f64]
+}
+
+fn material() -> impl Strategy<Value = String> {
+    (share(), share(), share(), share(), any::<bool>()).prop_map(
+        |(diffuse, specular, mirror, transmission, checker)| {
+            let checker = if checker {
+                r#", "checker": {"diffuse": [0.3, 0.3, 0.3], "size": 0.4}"#
+            } else {
+                ""
+            };
+            format!(
+                r#"{{"diffuse": [{diffuse}, {diffuse}, 0], "specular": [0, {specular}, {specular}], "shininess": 9,
+                "mirror": [{mirror}, 0, {mirror}], "transmission": [0, {transmission}, 0], "ior": 1.4{checker}}}"#
+            )
+        },
+    )
+}
+
+fn light() -> impl Strategy<Value = &'static str> {
+    prop_oneof![
+        Just(r#"{"point": {"name": "NAME", "position": [1, 3, 2], "intensity": [1, 1, 1]}}"#),
+        Just(
+            r#"{"directional": {"name": "NAME", "direction": [1, -2, -1], "intensity": [0, 1, 1]}}"#
+        ),
+        Just(
+            r#"{"spot": {"name": "NAME", "position": [0, 3, 0], "look_at": [0, 0, 0], "intensity": [1, 1, 0], "cone_angle": 30}}"#
+        ),
+        Just(r#"{"area": {"name": "NAME", "object": "lamp"}}"#),
+    ]
+}
+
+fn random_scene() -> impl Strategy<Value = String> {
+    (
+        prop::array::uniform3(material()),
+        prop::collection::vec(light(), 0..3),
+    )
+        .prop_map(|([a, b, c], lights)| {
+            let lights: Vec<String> = (0..)
+                .zip(lights)
+                .map(|(i, light)| light.replace("NAME", &format!("light {i}")))
+                .collect();
+            let lights = lights.join(", ");
+            format!(
+                r#"{{"format": "raytree-scene/1", "name": "random", "background": [0.1, 0.2, 0.3], "ambient": [0.1, 0.1, 0.1],
+                "camera": {{"eye": [0, 1.5, 4], "look_at": [0, 0.5, 0], "vertical_fov": 50}},
+                "materials": {{"a": {a}, "b": {b}, "c": {c}, "lamp": {{"diffuse": [0, 0, 0], "emission": [2, 2, 2]}}}},
+                "lights": [{lights}],
+                "objects": [
+                  {{"sphere": {{"name": "ball", "material": "a", "center": [-0.7, 0.6, 0], "radius": 0.6}}}},
+                  {{"box": {{"name": "box", "material": "b", "min": [0.2, 0, -0.5], "max": [1, 0.9, 0.3]}}}},
+                  {{"plane": {{"name": "floor", "material": "c", "point": [0, 0, 0], "normal": [0, 1, 0]}}}},
+                  {{"disc": {{"name": "lamp", "material": "lamp", "center": [0, 2.5, 0], "normal": [0, -1, 0], "radius": 0.5}}}}
+                ]}}"#
+            )
+        })
+}
+
+proptest! {
+    #![proptest_config(common::config(48))]
+
+    #[test]
+    fn what_a_random_scene_calls_for_is_enough(text in random_scene()) {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("random.json");
+        std::fs::write(&path, text).expect("room on the disk");
+        is_enough(scene::load(path.to_str().expect("a plain path")).expect("a scene"));
+    }
+}
