@@ -1,6 +1,7 @@
 //! The command line: one file a command.
 
 mod color;
+mod cost;
 mod effects;
 mod output;
 mod render;
@@ -52,6 +53,8 @@ enum Command {
     Trace(trace::Trace),
     /// Tell which effects a scene calls for, and why
     Effects(effects::Effects),
+    /// Measure what accuracy costs in time
+    Cost(cost::Cost),
     /// List the built-in scenes
     Scenes(scenes::Scenes),
     /// Print the JSON Schema of scene files or of ray trees
@@ -86,6 +89,7 @@ fn run(cli: Cli) -> Result<Done, Failure> {
         Some(Command::Render(command)) => command.run(),
         Some(Command::Trace(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
+        Some(Command::Cost(command)) => command.run(),
         Some(Command::Scenes(command)) => command.run(),
         Some(Command::Schema(command)) => command.run(),
         Some(Command::Completions { shell }) => {

@@ -16,8 +16,12 @@ pub mod shading;
 
 pub mod scene;
 
-pub mod cli;
-pub mod trace;
 pub mod tracer;
+
+pub mod trace;
+
+pub mod lab;
+
+pub mod cli;
 
 pub mod tui;

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up: a file may use its own layer and those before it.
-const LAYERS: [&str; 10] = [
-    "math", "geometry", "probe", "accel", "shading", "scene", "tracer", "trace", "cli", "tui",
+const LAYERS: [&str; 11] = [
+    "math", "geometry", "probe", "accel", "shading", "scene", "tracer", "trace", "lab", "cli",
+    "tui",
 ];
 
 /// The faces: only they may talk to a user. Each may use all the rest.

@@ -1,0 +1,125 @@
+//! Error over time on log axes, as an SVG picture.
+
+use std::fmt::Write as _;
+
+use super::cost::Sweep;
+
+const WIDTH: f64 = 720.0;
+const HEIGHT: f64 = 480.0;
+const MARGIN: f64 = 64.0;
+
+/// Colours that stay apart for most eyes. Source: Okabe and Ito 2008, "Color universal design".
+const COLORS: [&str; 7] = [
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
+];
+
+/// The sweeps that have an error, each a line: seconds to the right, RMSE upwards, both by powers of ten.
+pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
+    let lines: Vec<(&str, Vec<[f64; 2]>)> = sweeps
+        .iter()
+        .map(|sweep| (sweep.knob.name.as_str(), points(sweep)))
+        .filter(|(_, points)| !points.is_empty())
+        .collect();
+    let all = || lines.iter().flat_map(|(_, points)| points);
+    let range = |axis: usize| {
+        let low = all().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
+        let high = all().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
+        (low.floor(), high.ceil().max(low.floor() + 1.0))
+    };
+    let (x_range, y_range) = if lines.is_empty() {
+        ((0.0, 1.0), (0.0, 1.0))
+    } else {
+        (range(0), range(1))
+    };
+    let x = |v: f64| MARGIN + (v - x_range.0) / (x_range.1 - x_range.0) * (WIDTH - 2.0 * MARGIN);
+    let y = |v: f64| {
+        HEIGHT - MARGIN - (v - y_range.0) / (y_range.1 - y_range.0) * (HEIGHT - 2.0 * MARGIN)
+    };
+
+    let mut out = String::new();
+    let mut add = |line: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "{line}");
+    };
+    add(format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">"#
+    ));
+    add(format!(
+        r#"<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>"#
+    ));
+    add(format!(
+        r#"<text x="{MARGIN}" y="24" font-size="16">{}</text>"#,
+        escaped(title)
+    ));
+    for power in powers(x_range) {
+        let at = x(power);
+        add(format!(
+            r##"<path d="M{at:.1} {MARGIN}V{:.1}" stroke="#dddddd"/>"##,
+            HEIGHT - MARGIN
+        ));
+        add(format!(
+            r#"<text x="{at:.1}" y="{:.1}" text-anchor="middle">1e{power} s</text>"#,
+            HEIGHT - MARGIN + 18.0
+        ));
+    }
+    for power in powers(y_range) {
+        let at = y(power);
+        add(format!(
+            r##"<path d="M{MARGIN} {at:.1}H{:.1}" stroke="#dddddd"/>"##,
+            WIDTH - MARGIN
+        ));
+        add(format!(
+            r#"<text x="{:.1}" y="{:.1}" text-anchor="end">1e{power}</text>"#,
+            MARGIN - 6.0,
+            at + 4.0
+        ));
+    }
+    add(format!(
+        r#"<text x="{MARGIN}" y="{:.1}">RMSE</text>"#,
+        MARGIN - 8.0
+    ));
+    for ((name, points), (i, color)) in lines.iter().zip(COLORS.iter().cycle().enumerate()) {
+        let path: Vec<String> = points
+            .iter()
+            .map(|[px, py]| format!("{:.1} {:.1}", x(*px), y(*py)))
+            .collect();
+        add(format!(
+            r#"<path d="M{}" fill="none" stroke="{color}" stroke-width="2"/>"#,
+            path.join("L")
+        ));
+        for [px, py] in points {
+            add(format!(
+                r#"<circle cx="{:.1}" cy="{:.1}" r="3.5" fill="{color}"/>"#,
+                x(*px),
+                y(*py)
+            ));
+        }
+        let line = MARGIN + 14.0 + 16.0 * i as f64;
+        add(format!(
+            r#"<text x="{:.1}" y="{line:.1}" text-anchor="end" fill="{color}">{}</text>"#,
+            WIDTH - MARGIN - 6.0,
+            escaped(name)
+        ));
+    }
+    add("</svg>".to_owned());
+    out
+}
+
+/// log10 of seconds and of RMSE, where there is an error.
+fn points(sweep: &Sweep) -> Vec<[f64; 2]> {
+    let steps = sweep.steps.iter();
+    steps
+        .filter_map(|s| {
+            let rmse = s.errors?.rmse;
+            (rmse > 0.0).then(|| [s.seconds, rmse].map(libm::log10))
+        })
+        .collect()
+}
+
+fn powers((low, high): (f64, f64)) -> impl Iterator<Item = f64> {
+    (low as i32..=high as i32).map(f64::from)
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;")
+}
