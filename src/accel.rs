@@ -9,9 +9,11 @@ mod boxes;
 pub mod bsp;
 mod bvh;
 pub mod grid;
-pub mod kd;
+mod kd;
 pub mod list;
 mod octree;
+pub mod planes;
+mod sift;
 mod simd;
 mod slack;
 pub mod wide;
@@ -20,8 +22,8 @@ pub use auto::{clearest, fastest};
 pub use boxes::Boxes;
 pub use bsp::Bsp;
 pub use grid::Grid;
-pub use kd::Kd;
 pub use list::List;
+pub use planes::Planes;
 pub use wide::Wide;
 
 use crate::geometry::{Hit, Intersection, Shape, Shear};
@@ -108,8 +110,8 @@ pub enum Accel {
     List(List),
     /// Descend a tree of planes.
     Bsp(Bsp),
-    /// Descend a tree of planes along the axes.
-    Kd(Kd),
+    /// Descend a tree of planes, for speed.
+    Planes(Planes),
     /// Walk from cell to cell.
     Grid(Grid),
     /// Descend a tree of bounding volumes.
@@ -164,7 +166,7 @@ impl Accel {
     pub fn build(kind: AccelKind, shapes: &[Shape]) -> Self {
         match kind {
             AccelKind::List => Self::List(List::build(shapes)),
-            AccelKind::Kd => Self::Kd(Kd::build(shapes)),
+            AccelKind::Kd => Self::Planes(kd::build(shapes)),
             AccelKind::Grid => Self::Grid(Grid::build(shapes)),
             AccelKind::Octree => Self::Boxes(octree::build(shapes)),
             AccelKind::Bvh => Self::Boxes(bvh::build(shapes, false)),
@@ -179,7 +181,7 @@ impl Accel {
         match self {
             Self::List(_) => None,
             Self::Bsp(bsp) => bsp.node(id),
-            Self::Kd(kd) => kd.node(id),
+            Self::Planes(planes) => planes.node(id),
             Self::Grid(grid) => grid.node(id),
             Self::Boxes(boxes) => boxes.node(id),
             Self::Wide(wide) => wide.node(id),
@@ -196,7 +198,7 @@ impl Accel {
         match self {
             Self::List(_) => AccelStats::default(),
             Self::Bsp(bsp) => bsp.stats(),
-            Self::Kd(kd) => kd.stats(),
+            Self::Planes(planes) => planes.stats(),
             Self::Grid(grid) => grid.stats(),
             Self::Boxes(boxes) => boxes.stats(),
             Self::Wide(wide) => wide.stats(),
@@ -215,7 +217,7 @@ impl Accel {
         match self {
             Self::List(list) => list.closest(&query, probe),
             Self::Bsp(bsp) => bsp.closest(&query, probe),
-            Self::Kd(kd) => kd.closest(&query, probe),
+            Self::Planes(planes) => planes.closest(&query, probe),
             Self::Grid(grid) => grid.search::<false, P>(&query, probe),
             Self::Boxes(boxes) => boxes.search::<false, P>(&query, probe),
             Self::Wide(wide) => wide.closest(&query, probe),
@@ -235,7 +237,7 @@ impl Accel {
         match self {
             Self::List(list) => list.any(&query, probe),
             Self::Bsp(bsp) => bsp.any(&query, probe),
-            Self::Kd(kd) => kd.any(&query, probe),
+            Self::Planes(planes) => planes.any(&query, probe),
             Self::Grid(grid) => grid.search::<true, P>(&query, probe),
             Self::Boxes(boxes) => boxes.search::<true, P>(&query, probe),
             Self::Wide(wide) => wide.any(&query, probe),

@@ -11,9 +11,9 @@
 
 mod build;
 mod lanes;
-mod local;
+pub(super) mod local;
 mod packet;
-mod single;
+pub(super) mod single;
 
 use super::simd::Isa;
 use super::{AccelStats, NodeView, Query};

@@ -21,7 +21,7 @@ const U: f64 = f32::EPSILON as f64 / 2.0;
 const FAR: f64 = 16.0;
 
 /// No direction is flatter, so its inverse stays finite: 2^-40. Over the scene that is an error of less than u.
-const FLATTEST: f32 = 1.0 / (1u64 << 40) as f32;
+pub const FLATTEST: f32 = 1.0 / (1u64 << 40) as f32;
 
 /// Where the tree's own space lies in the world.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +76,16 @@ impl Frame {
             scale: 1.0 / half.max(least).max(1e-150),
             slack,
         }
+    }
+
+    /// A world space point in this space.
+    pub fn inside(&self, p: DVec3) -> DVec3 {
+        (p - self.center) * self.scale
+    }
+
+    /// For the plane n.p = d of this space, the d of the same plane in world space.
+    pub fn outside(&self, n: DVec3, d: f64) -> f64 {
+        n.dot(self.center) + d / self.scale
     }
 
     /// A world space box, rounded outwards.
