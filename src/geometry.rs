@@ -4,15 +4,19 @@
 //! candidates; [`Shape::surface`] describes the one point that was chosen.
 
 pub mod aabb;
+pub mod arithmetic;
 pub mod cuboid;
 pub mod disc;
+pub mod naive;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;
 
 pub use aabb::Aabb;
+pub use arithmetic::{Arithmetic, Offset, Precision, Quadratic, TriangleTest};
 pub use cuboid::Cuboid;
 pub use disc::Disc;
+pub use naive::Naive;
 pub use plane::Plane;
 pub use sphere::Sphere;
 pub use triangle::{Shear, Triangle};
@@ -100,6 +104,8 @@ pub enum Shape {
     Disc(Disc),
     /// A sphere, box or disc that was turned or stretched: tested in its own space.
     Placed(Box<Placed>),
+    /// Any of these, tested with other arithmetic: only where a user asked to see it.
+    Naive(Box<Naive>),
 }
 
 /// A shape in its own space, and the way from there into the world.
@@ -125,6 +131,7 @@ impl Shape {
                 let ray = placed.transform.ray_to_object(ray);
                 placed.shape.intersect(&ray, &Shear::new(&ray), interval)
             }
+            Self::Naive(naive) => naive.intersect(ray, shear, interval),
         }
     }
 
@@ -150,6 +157,7 @@ impl Shape {
                     uv: local.uv,
                 }
             }
+            Self::Naive(naive) => naive.surface(ray, t, barycentric),
         }
     }
 
@@ -165,6 +173,7 @@ impl Shape {
                 .shape
                 .bounds()
                 .map(|b| b.transformed(&placed.transform)),
+            Self::Naive(naive) => naive.bounds(),
         }
     }
 
@@ -177,6 +186,7 @@ impl Shape {
             Self::Cuboid(_) => "box",
             Self::Disc(_) => "disc",
             Self::Placed(placed) => placed.shape.kind(),
+            Self::Naive(naive) => naive.shape.kind(),
         }
     }
 }

@@ -29,7 +29,7 @@ pub use load::{list, load};
 pub use settings::{Sampling, Settings};
 
 use crate::accel::{Accel, AccelKind};
-use crate::geometry::{Hit, Shape};
+use crate::geometry::{Arithmetic, Hit, Shape};
 use crate::math::{DVec2, DVec3, Interval, Ray, Rgb};
 use crate::probe::{NONE, Probe, Silent};
 use crate::shading::{Interaction, Light, Material, Media, Side};
@@ -125,6 +125,15 @@ impl Scene {
 
     fn medium_object(&self, object: u32) -> Option<&Object> {
         (object != NONE).then(|| &self.objects[object as usize])
+    }
+
+    /// The scene with shapes that are tested with this arithmetic, whatever it was before.
+    #[must_use]
+    pub fn computed_with(mut self, arithmetic: Arithmetic) -> Self {
+        for shape in &mut self.shapes {
+            *shape = shape.computed_with(arithmetic);
+        }
+        self
     }
 
     /// Describes the place that `hit` found: its point, normals, side and surface coordinates.

@@ -41,7 +41,7 @@ impl Slack {
 pub fn conditioning(shape: &Shape) -> (f64, f64) {
     let bounds = shape.bounds().unwrap_or(Aabb::EMPTY);
     let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
-    let Shape::Placed(placed) = shape else {
+    let Shape::Placed(placed) = shape.plain() else {
         return (reach, 0.0);
     };
     let local = placed.shape.bounds().unwrap_or(Aabb::EMPTY);

@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use super::Failure;
 use crate::accel::AccelKind;
 use crate::accel::fastest;
-use crate::geometry::Shape;
+use crate::geometry::{Arithmetic, Offset, Precision, Quadratic, Shape, TriangleTest};
 use crate::math::Sampler;
 use crate::scene::effects::effects;
 use crate::scene::{Effect, Sampling, Scene, Settings, World, limits};
@@ -71,6 +71,37 @@ pub struct SettingsArgs {
     /// Threads; 0 for one a core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = parse_threads)]
     pub threads: usize,
+    #[command(flatten)]
+    arithmetic: ArithmeticArgs,
+}
+
+/// Arithmetic other than raytree's own, to see what goes wrong with it: see `raytree stability`.
+#[derive(Args, Clone, Debug, Default)]
+#[command(next_help_heading = "Other arithmetic, to see what goes wrong (see raytree stability)")]
+struct ArithmeticArgs {
+    /// How triangles are tested [default: watertight]
+    #[arg(long, value_name = "TEST", value_parser = named(TriangleTest::ALL, TriangleTest::name))]
+    triangle: Option<TriangleTest>,
+    /// Where rays start that leave a surface: none, fixed:EPS (metres along the normal) or bounded [default: bounded]
+    #[arg(long, value_name = "OFFSET")]
+    offset: Option<Offset>,
+    /// How spheres are tested [default: stable]
+    #[arg(long, value_name = "FORMULA", value_parser = named(Quadratic::ALL, Quadratic::name))]
+    quadratic: Option<Quadratic>,
+    /// The numbers that shapes are tested with [default: double]
+    #[arg(long, value_name = "BITS", value_parser = named(Precision::ALL, Precision::name))]
+    precision: Option<Precision>,
+}
+
+impl ArithmeticArgs {
+    fn over(&self, asked: Arithmetic) -> Arithmetic {
+        Arithmetic {
+            triangle: self.triangle.unwrap_or(asked.triangle),
+            offset: self.offset.unwrap_or(asked.offset),
+            quadratic: self.quadratic.unwrap_or(asked.quadratic),
+            precision: self.precision.unwrap_or(asked.precision),
+        }
+    }
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug)]
@@ -149,6 +180,7 @@ impl SettingsArgs {
                 Some(AccelArg::Auto) => fastest(&scene.shapes),
                 Some(AccelArg::Kind(kind)) => kind,
             },
+            arithmetic: self.arithmetic.over(asked.arithmetic),
             max_rays: self.max_rays.unwrap_or(asked.max_rays),
         }
     }
@@ -165,6 +197,13 @@ impl SceneArgs {
         for effect in settings.left_out(&scene) {
             eprintln!("note: {} is left out: {}", effect.name(), effect.without());
         }
+        for deviation in settings.arithmetic.deviations() {
+            eprintln!(
+                "note: --{} {}: {}",
+                deviation.choice, deviation.value, deviation.note
+            );
+        }
+        let scene = scene.computed_with(settings.arithmetic);
         Ok((World::new(scene, settings.accel), settings))
     }
 }
@@ -176,6 +215,17 @@ fn accels() -> impl TypedValueParser<Value = AccelArg> {
     PossibleValuesParser::new(std::iter::once(auto).chain(kinds)).map(|name| {
         let kind = AccelKind::ALL.into_iter().find(|kind| kind.name() == name);
         kind.map_or(AccelArg::Auto, AccelArg::Kind)
+    })
+}
+
+/// One of a closed set, by its name.
+fn named<T: Copy + Send + Sync + 'static, const N: usize>(
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.map(name)).try_map(move |text| {
+        let found = all.into_iter().find(|one| name(*one) == text);
+        found.ok_or("is not among the possible values")
     })
 }
 

@@ -19,6 +19,7 @@ use super::limits::{
     IOR, MAX_EXPONENT, MAX_LIGHT_SAMPLES, MAX_RADIANCE, MAX_SAMPLES, MAX_WARNINGS, size_problem,
 };
 use super::{Camera, Scene, Settings};
+use crate::geometry::Arithmetic;
 use crate::math::Rgb;
 use crate::shading::Material;
 use crate::shading::material::Checker;
@@ -158,6 +159,7 @@ fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneError> 
         exposure: optional(file.exposure, default.exposure, "exposure")?,
         effects: default.effects,
         accel: default.accel,
+        arithmetic: Arithmetic::default(),
         max_rays: default.max_rays,
     })
 }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::Scene;
 use super::effects::{Effect, Effects, effects};
 use crate::accel::AccelKind;
+use crate::geometry::Arithmetic;
 use crate::math::Sampler;
 use crate::shading::Fresnel;
 
@@ -50,6 +51,8 @@ pub struct Settings {
     pub exposure: f64,
     /// Which acceleration structure finds the hits (it never changes the picture).
     pub accel: AccelKind,
+    /// What shapes are tested with; the world is built of shapes that do (see [`Scene::computed_with`]).
+    pub arithmetic: Arithmetic,
     /// Rays that a picture may cost; each pixel gets its even share.
     pub max_rays: u64,
 }
@@ -70,6 +73,7 @@ impl Default for Settings {
             fresnel: Fresnel::default(),
             exposure: 1.0,
             accel: AccelKind::default(),
+            arithmetic: Arithmetic::default(),
             max_rays: 1_000_000_000,
         }
     }

@@ -213,7 +213,7 @@ fn mesh(shapes: &[Shape]) -> Option<(Form, f64)> {
         }
     };
     for shape in shapes {
-        match shape {
+        match shape.plain() {
             Shape::Triangle(triangle) => add(triangle.corners),
             Shape::Cuboid(cuboid) => {
                 // Corner i has the upper bound where i has a one: x is bit 0. Each side as a loop of corners.
@@ -223,7 +223,7 @@ fn mesh(shapes: &[Shape]) -> Option<(Form, f64)> {
                     add([corners[a], corners[c], corners[d]]);
                 }
             }
-            Shape::Sphere(_) | Shape::Disc(_) | Shape::Plane(_) | Shape::Placed(_) => return None,
+            _ => return None,
         }
     }
     Some((Form::Mesh(triangles), sum))

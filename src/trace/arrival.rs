@@ -2,12 +2,15 @@
 
 use super::View;
 use super::tree::Outcome;
-use crate::geometry::Hit;
+use crate::geometry::{Hit, Shape};
 use crate::math::{Ray, Rgb};
 use crate::probe::RayKind;
 use crate::scene::Object;
 use crate::shading::{Illumination, Interaction, Material, optics};
 use crate::tracer::lights::{Asker, illumination};
+
+/// A solid that is met again after this part of the coordinates has not really been left.
+const CLOSE: f64 = 1e-6;
 
 /// A ray's arrival on a surface, with all that shading used.
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +56,26 @@ impl<'a> View<'a> {
             primitive: scene.local_index(hit.primitive),
             material: scene.material_of(hit.primitive),
         })
+    }
+
+    /// True if the ray of a node ended on the very surface that it was sent from, which a sound offset rules out: a
+    /// flat shape cannot be met again, and a solid not so close to where the ray set out.
+    pub fn is_self_hit(self, node: u32) -> bool {
+        let this = self.trace.tree.node(node);
+        let (Some(parent), Some(Outcome::Hit(hit) | Outcome::Blocked(hit))) =
+            (this.parent, this.outcome)
+        else {
+            return false;
+        };
+        let left = match self.trace.tree.node(parent).outcome {
+            Some(Outcome::Hit(left)) => left.primitive,
+            _ => return false,
+        };
+        let flat =
+            |shape: &Shape| matches!(shape, Shape::Triangle(_) | Shape::Plane(_) | Shape::Disc(_));
+        let close = CLOSE * this.sent.origin.abs().max_element();
+        let shape = &self.world.scene.shapes[hit.primitive as usize];
+        hit.primitive == left && (flat(shape.plain()) || hit.t <= close)
     }
 
     /// The factors of the terms of a light's sample at the hit of a node; `None` if the light stands just there.

@@ -11,6 +11,7 @@ use serde::{Serialize, Serializer};
 
 use self::node::node;
 use super::View;
+use crate::geometry::Arithmetic;
 use crate::math::{Rgb, Sampler};
 use crate::scene::{Effect, Scene, Settings};
 use crate::shading::Fresnel;
@@ -77,6 +78,23 @@ struct Knobs {
     exposure: f64,
     max_rays: u64,
     accel: &'static str,
+    /// Where the arithmetic is not raytree's own: the picture shows what goes wrong with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    arithmetic: Option<ArithmeticKnobs>,
+}
+
+/// What shapes were tested with.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Arithmetic")]
+struct ArithmeticKnobs {
+    /// "plane-edges", "moller-trumbore" or "watertight".
+    triangle: &'static str,
+    /// "none", "fixed:" and a number of metres, or "bounded".
+    offset: String,
+    /// "naive" or "stable".
+    quadratic: &'static str,
+    /// "single" or "double".
+    precision: &'static str,
 }
 
 #[derive(Serialize, JsonSchema)]
@@ -379,6 +397,7 @@ pub fn document(view: View) -> impl Serialize {
 }
 
 fn knobs(settings: &Settings, scene: &Scene) -> Knobs {
+    let arithmetic = settings.arithmetic;
     Knobs {
         samples: settings.samples,
         sampling: settings.sampling,
@@ -392,5 +411,11 @@ fn knobs(settings: &Settings, scene: &Scene) -> Knobs {
         exposure: settings.exposure,
         max_rays: settings.max_rays,
         accel: settings.accel.name(),
+        arithmetic: (arithmetic != Arithmetic::default()).then(|| ArithmeticKnobs {
+            triangle: arithmetic.triangle.name(),
+            offset: arithmetic.offset.to_string(),
+            quadratic: arithmetic.quadratic.name(),
+            precision: arithmetic.precision.name(),
+        }),
     }
 }

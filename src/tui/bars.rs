@@ -32,6 +32,10 @@ pub fn title(app: &App, place: Rect, buffer: &mut Buffer) {
         ),
         Span::raw(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays)),
     ]);
+    if let Some(told) = deviations(&session.settings) {
+        line.push_span(Span::raw("  "));
+        line.push_span(told);
+    }
     if trace.tree.dropped > 0 {
         let text = format!(
             "  the log is full: {} events were not kept",
@@ -63,6 +67,10 @@ pub fn status(app: &App, place: Rect, buffer: &mut Buffer) {
             ));
         }
         None => line.push_span("rendering ...  "),
+    }
+    if let Some(told) = deviations(&app.settings) {
+        line.push_span(told);
+        line.push_span("  ");
     }
     line.push_span(Span::raw(app.seen.clone()));
     if place.height >= 1 {
@@ -127,10 +135,18 @@ fn flags(now: &Settings, own: &Settings) -> Vec<(&'static str, String)> {
         ]
     };
     let pairs = values(now).into_iter().zip(values(own));
-    pairs
-        .filter(|(now, own)| now != own)
-        .map(|(now, _)| now)
+    let changed = pairs.filter(|(now, own)| now != own).map(|(now, _)| now);
+    let arithmetic = now.arithmetic.deviations().into_iter();
+    changed
+        .chain(arithmetic.map(|d| (d.choice, d.value)))
         .collect()
+}
+
+/// What is not computed as raytree would do it: never to be overlooked.
+fn deviations(settings: &Settings) -> Option<Span<'static>> {
+    let list = settings.arithmetic.deviations().into_iter();
+    let told: Vec<_> = list.map(|d| format!("{} {}", d.choice, d.value)).collect();
+    (!told.is_empty()).then(|| Span::styled(format!(" {} ", told.join(", ")), theme::warning()))
 }
 
 /// What the keys do here, as many as there is room for.

@@ -43,7 +43,7 @@ pub fn outlines(scene: &Scene) -> Vec<Outline> {
 
 fn of_object(shapes: &[Shape]) -> Vec<Outline> {
     let triangles = || {
-        shapes.iter().filter_map(|shape| match shape {
+        shapes.iter().filter_map(|shape| match shape.plain() {
             Shape::Triangle(triangle) => Some(triangle.corners),
             _ => None,
         })
@@ -69,6 +69,7 @@ fn of_object(shapes: &[Shape]) -> Vec<Outline> {
 fn of_shape(shape: &Shape) -> Option<Outline> {
     match shape {
         Shape::Triangle(_) => None,
+        Shape::Naive(naive) => of_shape(&naive.shape),
         Shape::Sphere(sphere) => Some(Outline::Sphere(sphere.center, sphere.radius)),
         Shape::Plane(plane) => Some(Outline::Plane(
             plane.normal(),

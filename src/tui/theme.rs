@@ -45,6 +45,11 @@ pub fn keycap() -> Style {
     Style::new().fg(Color::Rgb(60, 160, 150)).bold()
 }
 
+/// What must not be overlooked.
+pub fn warning() -> Style {
+    Style::new().add_modifier(Modifier::REVERSED)
+}
+
 /// A colour to be seen: two cells of it; without colours, its brightness.
 pub fn swatch(color: Rgb, level: ColorLevel) -> Span<'static> {
     if level == ColorLevel::Never {

@@ -188,7 +188,7 @@ pub fn blocked(view: View, node: u32) -> Explanation {
     } else {
         ""
     };
-    Explanation::new(
+    let explanation = Explanation::new(
         format!("blocked by `{}`", arrival.object.name),
         format!(
             "`{}` stands before `{light}`{note}: the point is in its shadow and the light adds nothing.",
@@ -196,7 +196,22 @@ pub fn blocked(view: View, node: u32) -> Explanation {
         ),
     )
     .row("t", format!("{} < {}, the distance to the light", num(arrival.hit.t), num(sent.t_max)))
-    .row("point", vec3(arrival.at.point))
+    .row("point", vec3(arrival.at.point));
+    self_hit(view, node, explanation)
+}
+
+/// Adds that a ray hit the surface that it had just left, if it did.
+pub fn self_hit(view: View, node: u32, explanation: Explanation) -> Explanation {
+    if !view.is_self_hit(node) {
+        return explanation;
+    }
+    explanation.row(
+        "self-hit",
+        format!(
+            "this is the surface that the ray has just left: rounding put its origin on the wrong side (offset {})",
+            view.settings.arithmetic.offset
+        ),
+    )
 }
 
 /// A ray is done: the ledger of its radiance.

@@ -1,7 +1,8 @@
 //! Surfaces: where a ray arrived, and the terms of the shading equation.
 
 use super::super::{Arrival, View};
-use super::{Explanation, degrees, num, rgb, vec3};
+use super::{Explanation, degrees, num, ray, rgb, vec3};
+use crate::geometry::Offset;
 use crate::math::Rgb;
 use crate::probe::{Absence, RayKind, Term};
 use crate::shading::Side;
@@ -43,7 +44,13 @@ pub fn hit(view: View, node: u32) -> Explanation {
         ),
     )
     .row("", vec3(at.point))
-    .row("error", format!("at most {} per axis", vec3(at.error)))
+    .row(
+        "error",
+        match view.settings.arithmetic.offset {
+            Offset::Bounded => format!("at most {} per axis", vec3(at.error)),
+            other => format!("not asked for: the next ray's offset is {other}"),
+        },
+    )
     .row("material", material.name.clone())
     .row("N", vec3(at.normal));
     if at.normal != at.geometric_normal {
@@ -56,12 +63,13 @@ pub fn hit(view: View, node: u32) -> Explanation {
             format!("({}, {}, {})", num(a), num(b), num(c)),
         );
     }
-    explanation
+    let explanation = explanation
         .row("uv", format!("({}, {})", num(at.uv.x), num(at.uv.y)))
         .row(
             "angle",
             format!("between N and V: {}", degrees(at.normal.dot(at.to_viewer))),
-        )
+        );
+    ray::self_hit(view, node, explanation)
 }
 
 /// A term of the shading equation.

@@ -2,7 +2,7 @@
 
 use super::super::View;
 use super::{Explanation, num, vec3};
-use crate::geometry::{Shape, Shear};
+use crate::geometry::{Arithmetic, Naive, Shape, Shear};
 use crate::math::{DVec3, Ray};
 use crate::probe::{NONE, Verdict, Visit};
 
@@ -77,10 +77,29 @@ pub fn test(view: View, node: u32, primitive: u32, verdict: Verdict, t: f64) -> 
             )
             .row("", "inside if all have the same sign");
     }
+    if let Shape::Naive(naive) = shape {
+        explanation = explanation.row("arithmetic", tested_with(naive));
+    }
     if t.is_finite() {
         explanation = explanation.row("t", num(t));
     }
     explanation
+}
+
+/// The algorithm and the precision of a test that is not raytree's own.
+fn tested_with(naive: &Naive) -> String {
+    let Arithmetic {
+        triangle,
+        quadratic,
+        precision,
+        ..
+    } = naive.arithmetic;
+    let algorithm = match naive.shape {
+        Shape::Triangle(_) => format!("{}, ", triangle.name()),
+        Shape::Sphere(_) => format!("quadratic {}, ", quadratic.name()),
+        _ => String::new(),
+    };
+    format!("{algorithm}{} precision", precision.name())
 }
 
 fn sentence(words: &str) -> String {
