@@ -38,16 +38,35 @@ fn lasting(document: &Value) -> Vec<Value> {
         .collect()
 }
 
+fn sweep<'a>(document: &'a Value, knob: &str) -> &'a Value {
+    let sweeps = document["sweeps"].as_array().expect("a list");
+    let found = sweeps.iter().find(|s| s["knob"] == knob);
+    found.unwrap_or_else(|| panic!("no {knob} in {document:#}"))
+}
+
 #[test]
 fn errors_and_counters_are_the_same_when_it_is_run_again() {
+    // Every setting differs from the scene's own, and the effort follows from the budget.
     let first = json(&[
         "soft-shadow",
         "--size",
         "24x18",
         "--runs",
         "1",
+        "--samples",
+        "2",
+        "--light-samples",
+        "3",
+        "--sampler",
+        "random",
+        "--sampling",
+        "jittered",
+        "--without",
+        "highlights",
+        "--seed",
+        "7",
         "--budget",
-        "100",
+        "8",
     ]);
     let again: Vec<&str> = first["again"]
         .as_str()
@@ -55,24 +74,52 @@ fn errors_and_counters_are_the_same_when_it_is_run_again() {
         .split(' ')
         .collect();
     assert_eq!(again[..2], ["raytree", "cost"]);
-    let second = json(&again[2..]);
+    for part in ["3", "random", "highlights", "--most"] {
+        assert!(again.contains(&part), "no {part} in {again:?}");
+    }
+    let longer = [&again[2..], &["--budget", "100"]].concat();
+    let longer: Vec<&str> = drop_budget(&longer);
+    let second = json(&longer);
     assert!(lasting(&first).len() > 20);
     assert_eq!(lasting(&first), lasting(&second));
+}
 
-    // Better points, smaller errors: at 64 rays a light sobol beats stratified beats random.
-    let rmse = |knob: &str| {
-        let sweeps = first["sweeps"].as_array().expect("a list");
-        let sweep = sweeps.iter().find(|s| s["knob"] == knob).expect("a knob");
-        sweep["steps"][3]["errors"]["rmse"]
-            .as_f64()
-            .expect("a number")
+/// Without the first of two budgets.
+fn drop_budget<'a>(args: &[&'a str]) -> Vec<&'a str> {
+    let at = args.iter().position(|a| *a == "--budget").expect("there");
+    [&args[..at], &args[at + 2..]].concat()
+}
+
+#[test]
+fn slopes_and_the_front_are_those_of_theory() {
+    let document = json(&[
+        "soft-shadow",
+        "--size",
+        "40x30",
+        "--runs",
+        "1",
+        "--knob",
+        "light-samples",
+        "--most",
+        "64",
+        "--budget",
+        "100",
+    ]);
+    let all = document["sweeps"].as_array().expect("a list");
+    assert_eq!(all.len(), 4, "only what was asked for");
+    let slope = |way: &str| {
+        let sweep = sweep(&document, &format!("light samples, {way}"));
+        sweep["slope_over_samples"].as_f64().expect("a slope")
     };
-    let [random, stratified, sobol] =
-        ["random", "stratified", "sobol"].map(|s| rmse(&format!("light samples, {s}")));
-    assert!(
-        sobol < stratified && stratified < 0.5 * random,
-        "{random} {stratified} {sobol}"
-    );
+    assert!((slope("random") + 0.5).abs() < 0.05, "{}", slope("random"));
+    assert!((-0.95..-0.65).contains(&slope("stratified")));
+    assert!(slope("sobol") < slope("random") - 0.15);
+    let last = |way: &str| &sweep(&document, &format!("light samples, {way}"))["steps"][3];
+    let rmse = |way: &str| last(way)["errors"]["rmse"].as_f64().expect("a number");
+    assert!(rmse("sobol") < rmse("stratified") && rmse("stratified") < 0.5 * rmse("random"));
+    let flip = |way: &str| last(way)["errors"]["flip"].as_f64().expect("a number");
+    assert!(flip("sobol") < flip("random"));
+    assert_eq!(last("random")["on_front"], false);
 }
 
 #[test]
@@ -86,11 +133,16 @@ fn only_the_knobs_that_a_scene_has_are_turned() {
     };
     assert_eq!(
         knobs("triangle"),
-        ["pixel samples, jittered", "accelerator"]
+        [
+            "pixel samples, regular",
+            "pixel samples, jittered",
+            "accelerator"
+        ]
     );
     assert_eq!(
         knobs("mirrors"),
         [
+            "pixel samples, regular",
             "pixel samples, jittered",
             "depth",
             "min weight",
@@ -100,26 +152,52 @@ fn only_the_knobs_that_a_scene_has_are_turned() {
 }
 
 #[test]
-fn a_budget_ends_it_and_keeps_what_is_measured() {
+fn a_budget_ends_it_and_every_knob_shows_something() {
+    let start = Instant::now();
+    let out = cost(&["soft-shadow", "--budget", "4", "--json"]);
+    assert!(start.elapsed().as_secs_f64() < 4.0);
+    let document: Value = serde_json::from_slice(&out.stdout).expect("JSON");
+    for sweep in document["sweeps"].as_array().expect("a list") {
+        assert!(
+            !sweep["steps"].as_array().expect("a list").is_empty(),
+            "{sweep}"
+        );
+    }
+}
+
+#[test]
+fn what_does_not_fit_into_the_budget_is_left_out_and_told() {
     let start = Instant::now();
     let out = cost(&[
         "soft-shadow",
         "--size",
         "320x240",
         "--budget",
-        "0.5",
+        "1",
+        "--most",
+        "256",
         "--json",
     ]);
-    assert!(start.elapsed().as_secs_f64() < 5.0);
+    assert!(start.elapsed().as_secs_f64() < 6.0);
     assert_eq!(out.status.code(), Some(3));
     let said = String::from_utf8_lossy(&out.stderr);
     assert!(said.contains("--budget"), "{said}");
+}
+
+#[test]
+fn wrong_asking_is_told() {
     for budget in ["0", "-1", "x", "inf"] {
-        assert_eq!(
-            cost(&["triangle", "--budget", budget]).status.code(),
-            Some(2)
-        );
+        let out = cost(&["triangle", "--budget", budget]);
+        assert_eq!(out.status.code(), Some(2));
     }
+    // A scene without area lights has no samples of them.
+    let out = cost(&["triangle", "--knob", "light-samples"]);
+    assert_eq!(out.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&out.stderr);
+    assert!(
+        said.contains("has no such knob; it has pixel-samples, accelerator"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -127,25 +205,27 @@ fn tables_lines_and_a_plot_are_written() {
     let folder = tempfile::tempdir().expect("a folder");
     let plot = folder.path().join("plot.svg");
     let path = plot.to_str().expect("a plain path");
-    let out = cost(&["triangle", "--size", "16x12", "--runs", "1", "--plot", path]);
+    let args = ["triangle", "--size", "16x12", "--runs", "1", "--most", "64"];
+    let out = cost(&[&args[..], &["--plot", path]].concat());
     let text = String::from_utf8(out.stdout).expect("UTF-8");
-    assert!(
-        text.contains("the next halving of the error costs"),
-        "{text}"
-    );
-    assert!(
-        text.contains("again: raytree cost triangle --size 16x12"),
-        "{text}"
-    );
+    for part in [
+        "the next halving of the error costs",
+        "again: raytree cost triangle --size 16x12",
+        "  b  pixel samples, jittered",
+        "1e-2 s",
+    ] {
+        assert!(text.contains(part), "no {part} in\n{text}");
+    }
+    let mut tables = text
+        .lines()
+        .filter(|l| !l.contains(':') && !l.contains("halving"));
+    assert!(tables.all(|l| l.chars().count() <= 80), "{text}");
     let svg = std::fs::read_to_string(&plot).expect("a picture");
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
-    assert_eq!(svg.matches("<circle").count(), 4, "one point a setting");
-    let csv = cost(&["triangle", "--size", "16x12", "--runs", "1", "--csv"]).stdout;
+    assert_eq!(svg.matches("<circle").count(), 8, "one point a setting");
+    let csv = cost(&[&args[..], &["--csv"]].concat()).stdout;
     let csv = String::from_utf8(csv).expect("UTF-8");
-    let columns: Vec<usize> = csv
-        .lines()
-        .map(|line| line.replace("samples, jittered", "").split(',').count())
-        .collect();
+    let columns: Vec<usize> = csv.lines().map(|line| line.split(',').count()).collect();
     assert!(
         columns.len() > 10 && columns.iter().all(|n| *n == columns[0]),
         "{csv}"

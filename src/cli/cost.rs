@@ -1,31 +1,47 @@
 //! `raytree cost`: what accuracy costs in time.
 
-use std::fmt::Write as _;
+mod chart;
+mod record;
+mod table;
+
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::{Value, json};
 
 use super::settings::SceneArgs;
 use super::{Done, Failure, output};
 use crate::accel::fastest;
-use crate::lab::cost::{Lab, Limits, Sweep};
-use crate::lab::{knobs, plot};
-use crate::scene::Settings;
+use crate::lab::{Effort, Knob, Lab, Price, Sweep, affordable, knobs, plot};
+use crate::scene::{Sampling, Settings, World, flags};
 
 /// The size of the pictures if none is asked for: small, since many are rendered.
 const SIZE: (u32, u32) = (120, 90);
 
+/// Timed renders for which there is to be time.
+const PLANNED: usize = 3;
+
+/// The part of the budget that measuring may use; the rest is for writing.
+const MEASURING: f64 = 0.95;
+
 #[derive(Args)]
 pub struct Cost {
-    /// Seconds that it may take; what does not fit in is left out
+    /// Seconds that it may take: decides how many samples are tried
     #[arg(long, value_name = "SECONDS", default_value_t = 20.0, value_parser = parse_budget)]
     budget: f64,
-    /// Timed renders of each setting, after one to warm up
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=99))]
+    /// Timed renders of each setting, after one that counts
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=99))]
     runs: u16,
+    /// Measure these only, such as light-samples, pixel-samples-jittered, depth, min-weight, accelerator
+    #[arg(long = "knob", value_name = "NAME", value_delimiter = ',')]
+    only: Vec<String>,
+    /// The most samples that are tried, and 16 times as many in references [default: as the budget allows]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    most: Option<u32>,
+    /// Samples of references [default: 16 times --most]
+    #[arg(long, value_name = "N", requires = "most", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    reference_samples: Option<u32>,
     /// As JSON
     #[arg(long, conflicts_with = "csv")]
     json: bool,
@@ -42,55 +58,64 @@ pub struct Cost {
 impl Cost {
     pub fn run(&self) -> Result<Done, Failure> {
         let start = Instant::now();
-        let (world, mut settings) = self.scene.load(fastest)?;
-        if self.scene.settings.size.is_none() {
-            (settings.width, settings.height) = SIZE;
-        }
-        let knobs = knobs(&world, &settings);
-        let count = knobs.iter().map(|k| k.steps.len() + 1).sum::<usize>();
-        let bar = ProgressBar::new(count as u64);
-        // The style is a constant that is known to be right.
-        if let Ok(style) = ProgressStyle::with_template("{bar:30} {elapsed} {wide_msg}") {
-            bar.set_style(style);
-        }
-        let limits = Limits {
-            end: start + Duration::from_secs_f64(self.budget),
-            runs: usize::from(self.runs),
-            threads: self.scene.settings.threads,
+        let (world, asked) = self.scene.load(fastest)?;
+        let base = self.base(asked);
+        let threads = self.scene.settings.threads;
+        let is_asked =
+            |knob: &Knob| self.only.is_empty() || self.only.iter().any(|name| knob.is_called(name));
+        self.check_names(&world, &base)?;
+        let price = Price::of(&world, &base, threads);
+        let runs = usize::from(self.runs);
+        let effort = match self.most {
+            Some(most) => Effort {
+                most,
+                reference: self.reference_samples.unwrap_or(most.saturating_mul(16)),
+            },
+            None => {
+                // The rest of the runs if there is time left for them.
+                let planned = runs.min(PLANNED);
+                affordable(&world, &base, price, (self.budget, planned), &is_asked)
+            }
         };
+        let knobs: Vec<Knob> = knobs(&world, &base, effort)
+            .into_iter()
+            .filter(is_asked)
+            .collect();
         let wanted: usize = knobs.iter().map(|k| k.steps.len()).sum();
-        let mut lab = Lab::new(world, limits);
-        let mut sweeps = Vec::new();
-        for knob in knobs {
-            let name = knob.name.clone();
-            sweeps.push(lab.measure(knob, &|step| {
-                bar.set_message(format!("{name}: {step}"));
-                bar.inc(1);
-            }));
-        }
+        let bar = progress_bar(wanted * (runs + 1));
+        let mut lab = Lab {
+            world,
+            accel: base.accel,
+            runs,
+            threads,
+            given: None,
+        };
+        let end = start + Duration::from_secs_f64(self.budget * MEASURING);
+        let sweeps = measure_all(&mut lab, knobs, price, end, &bar);
         bar.finish_and_clear();
 
-        let title = format!(
-            "{}, {}x{}",
-            lab.world.scene.name, settings.width, settings.height
-        );
+        let again = self.again(&base, &lab.world, effort);
+        let title = format!("{}, {}x{}", lab.world.scene.name, base.width, base.height);
         if let Some(path) = &self.plot {
             let svg = plot::svg(&title, &sweeps);
             output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
         }
-        let again = self.again(&settings);
         let text = if self.json {
-            format!("{:#}\n", as_json(&sweeps, &again))
+            format!("{:#}\n", record::json(&sweeps, &again))
         } else if self.csv {
-            as_csv(&sweeps)
+            record::csv(&sweeps)
         } else {
-            as_text(&sweeps, &title, &again)
+            format!(
+                "{title}; * nothing in its table is both cheaper (in rays) and nearer\n{}\n{}\nagain: {again}\n",
+                table::text(&sweeps),
+                chart::lines(&sweeps)
+            )
         };
         output::to_stdout(text.as_bytes())?;
         let done: usize = sweeps.iter().map(|s| s.steps.len()).sum();
         if done < wanted {
             eprintln!(
-                "warning: the budget of {} s ended before {} of {wanted} settings (raise --budget, or lower --size)",
+                "warning: the budget of {} s ended before {} of {wanted} settings (raise --budget, or lower --size or --most)",
                 self.budget,
                 wanted - done
             );
@@ -99,137 +124,124 @@ impl Cost {
         Ok(Done::Whole)
     }
 
-    /// The command that measures the same again: errors and counters to the last bit, times as they are then.
-    fn again(&self, settings: &Settings) -> String {
-        let Settings {
+    /// What all knobs have in common: small pictures, one sample of everything, if nothing else is asked for.
+    fn base(&self, asked: Settings) -> Settings {
+        let args = &self.scene.settings;
+        let (width, height) = args.size.unwrap_or(SIZE);
+        Settings {
             width,
             height,
-            depth,
-            min_weight,
-            seed,
-            ..
-        } = settings;
-        format!(
-            "raytree cost {} --size {width}x{height} --depth {depth} --min-weight {min_weight} --seed {seed} --runs {} --budget {}",
-            self.scene.scene, self.runs, self.budget
-        )
-    }
-}
-
-/// The tables. (Writing to a string cannot fail.)
-fn as_text(sweeps: &[Sweep], title: &str, again: &str) -> String {
-    let mut out = format!("{title}; * nothing on this knob is both cheaper and nearer\n");
-    for sweep in sweeps {
-        let _ = write!(
-            out,
-            "\n{:28} {:>9} {:>15} {:>10} {:>11} {:>11} {:>10} {:>8} {:>11}\n",
-            sweep.knob.name,
-            "time/ms",
-            "(min..max)",
-            "rays",
-            "nodes",
-            "tests",
-            "RMSE",
-            "seen/%",
-            "RMSE x s"
-        ); // Writing to a string cannot fail.
-        for step in &sweep.steps {
-            let ms = |s: f64| format!("{:.1}", s * 1e3);
-            let [low, high] = step.spread;
-            let errors = step.errors.map_or_else(
-                || "same picture".to_owned(),
-                |e| {
-                    format!(
-                        "{:>10.2e} {:>8.2} {:>11.2e}",
-                        e.rmse,
-                        e.seen * 100.0,
-                        e.rmse * step.seconds
-                    )
-                },
-            );
-            let _ = writeln!(
-                out,
-                "{} {:26} {:>9} {:>15} {:>10} {:>11} {:>11} {errors}",
-                if step.on_front { '*' } else { ' ' },
-                step.step,
-                ms(step.seconds),
-                format!("({}..{})", ms(low), ms(high)),
-                step.counts.rays(),
-                step.counts.nodes,
-                step.counts.tests,
-            );
-        }
-        if let Some(sentence) = sentence(sweep) {
-            let _ = writeln!(out, "  {sentence}");
+            samples: args.samples.unwrap_or(1),
+            sampling: if args.sampling.is_some() {
+                asked.sampling
+            } else {
+                Sampling::Regular
+            },
+            light_samples: args.light_samples.unwrap_or(1),
+            ..asked
         }
     }
-    let _ = writeln!(out, "\nagain: {again}");
-    out
-}
 
-/// What the next halving of the error costs, of knobs that are turned to have less noise.
-fn sentence(sweep: &Sweep) -> Option<String> {
-    let [rays, seconds] = sweep.slopes?;
-    let theory = sweep.knob.theory?;
-    if rays >= -0.05 {
-        return Some(format!(
-            "the error does not fall with more rays (slope {rays:.2}; theory, over samples: {theory})"
-        ));
+    /// An error if a name is that of no knob of this scene.
+    fn check_names(&self, world: &World, base: &Settings) -> Result<(), Failure> {
+        let all = knobs(world, base, Effort::LEAST);
+        let unknown = self
+            .only
+            .iter()
+            .find(|name| !all.iter().any(|knob| knob.is_called(name)));
+        let Some(unknown) = unknown else {
+            return Ok(());
+        };
+        let mut names: Vec<String> = all.iter().map(|k| k.group.replace(' ', "-")).collect();
+        names.dedup();
+        Err(Failure::Usage(format!(
+            "--knob {unknown}: the scene `{}` has no such knob; it has {}",
+            world.scene.name,
+            names.join(", ")
+        )))
     }
-    Some(format!(
-        "the next halving of the error costs {:.1}x the rays (slope {rays:.2}; over time {seconds:.2}; theory, over samples: {theory})",
-        libm::exp2(-1.0 / rays)
-    ))
-}
 
-fn as_json(sweeps: &[Sweep], again: &str) -> Value {
-    let step = |s: &crate::lab::Measured| {
-        json!({
-            "step": s.step, "seconds": s.seconds, "spread": s.spread, "runs": s.runs,
-            "rays": { "I": s.counts.incident, "L": s.counts.light, "R": s.counts.reflected, "T": s.counts.transmitted },
-            "nodes": s.counts.nodes, "tests": s.counts.tests, "on_front": s.on_front,
-            "errors": s.errors.map(|e| json!({
-                "rmse": e.rmse, "relative_mse": e.relative_mse, "max": e.max, "seen": e.seen
-            })),
-        })
-    };
-    let sweep = |s: &Sweep| {
-        json!({
-            "knob": s.knob.name,
-            "steps": s.steps.iter().map(step).collect::<Vec<_>>(),
-            "slope_over_rays": s.slopes.map(|[rays, _]| rays),
-            "slope_over_time": s.slopes.map(|[_, seconds]| seconds),
-        })
-    };
-    json!({ "again": again, "sweeps": sweeps.iter().map(sweep).collect::<Vec<_>>() })
-}
-
-/// A line a setting. (Writing to a string cannot fail.)
-fn as_csv(sweeps: &[Sweep]) -> String {
-    let mut out =
-        "knob,step,seconds,min,max,runs,rays,nodes,tests,rmse,relative_mse,max_error,seen\n"
-            .to_owned();
-    for (sweep, step) in sweeps
-        .iter()
-        .flat_map(|s| s.steps.iter().map(move |t| (s, t)))
-    {
-        let errors = step.errors.map_or(",,,".to_owned(), |e| {
-            format!("{},{},{},{}", e.rmse, e.relative_mse, e.max, e.seen)
-        });
-        let [low, high] = step.spread;
-        let _ = writeln!(
-            out,
-            "\"{}\",{},{},{low},{high},{},{},{},{},{errors}",
-            sweep.knob.name,
-            step.step,
-            step.seconds,
-            step.runs,
-            step.counts.rays(),
-            step.counts.nodes,
-            step.counts.tests
+    /// The command that measures the same again: errors and counters to the last bit, times as they are then.
+    fn again(&self, base: &Settings, world: &World, effort: Effort) -> String {
+        let Settings { width, height, .. } = base;
+        let mut line = format!(
+            "raytree cost {} --size {width}x{height} --most {} --reference-samples {}",
+            quoted(&self.scene.scene),
+            effort.most,
+            effort.reference
         );
+        let mut said = flags(base, &world.scene);
+        // Where these are not given, they are not the scene's: see `base`.
+        for (flag, value) in [
+            ("samples", base.samples.to_string()),
+            ("light-samples", base.light_samples.to_string()),
+            ("sampling", format!("{:?}", base.sampling).to_lowercase()),
+        ] {
+            if said.iter().all(|(name, _)| *name != flag) {
+                said.push((flag, value));
+            }
+        }
+        for (flag, value) in said {
+            line.extend([" --", flag, " ", &value]);
+        }
+        for name in &self.only {
+            line.extend([
+                " --knob ",
+                &quoted(&name.replace(", ", "-").replace(' ', "-")),
+            ]);
+        }
+        let threads = self.scene.settings.threads;
+        if threads != 0 {
+            line.push_str(&format!(" --threads {threads}"));
+        }
+        line + &format!(" --runs {} --budget {}", self.runs, self.budget)
     }
-    out
+}
+
+/// Measures group after group. Each may take its share of the time that is left, as its price is to that of all that
+/// are still to come.
+fn measure_all(
+    lab: &mut Lab,
+    knobs: Vec<Knob>,
+    price: Price,
+    end: Instant,
+    bar: &ProgressBar,
+) -> Vec<Sweep> {
+    let groups: Vec<Vec<Knob>> = knobs
+        .chunk_by(|a, b| a.group == b.group)
+        .map(<[Knob]>::to_vec)
+        .collect();
+    let prices: Vec<f64> = groups.iter().map(|g| price.group(g, lab.runs)).collect();
+    let mut sweeps = Vec::new();
+    for (i, group) in groups.into_iter().enumerate() {
+        let left = end.saturating_duration_since(Instant::now());
+        let share = prices[i] / prices[i..].iter().sum::<f64>();
+        let name = group[0].group;
+        let told = |step: &str| {
+            bar.set_message(format!("{name}: {step}"));
+            bar.inc(1);
+        };
+        sweeps.extend(lab.measure(group, Instant::now() + left.mul_f64(share), &told));
+    }
+    sweeps
+}
+
+fn progress_bar(steps: usize) -> ProgressBar {
+    let bar = ProgressBar::new(steps as u64);
+    // The style is a constant that is known to be right.
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {elapsed} {wide_msg}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+/// As a shell takes it for one word.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_./:,+=@%".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
 }
 
 fn parse_budget(text: &str) -> Result<f64, String> {

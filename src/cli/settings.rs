@@ -33,13 +33,13 @@ pub struct SettingsArgs {
     pub size: Option<(u32, u32)>,
     /// Samples a pixel
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(limits::MAX_SAMPLES)))]
-    samples: Option<u32>,
+    pub samples: Option<u32>,
     /// Where the samples of a pixel lie
     #[arg(long, value_enum)]
-    sampling: Option<SamplingArg>,
+    pub sampling: Option<SamplingArg>,
     /// Shadow rays to an area light, a hit
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(limits::MAX_LIGHT_SAMPLES)))]
-    light_samples: Option<u32>,
+    pub light_samples: Option<u32>,
     /// Where on an area light they go
     #[arg(long, value_enum)]
     sampler: Option<SamplerArg>,
@@ -105,7 +105,7 @@ impl ArithmeticArgs {
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug)]
-enum SamplingArg {
+pub enum SamplingArg {
     /// In the middles of a grid
     Regular,
     /// By chance, one in each cell of a grid

@@ -1,12 +1,12 @@
-//! Turning one knob: what each position costs, and how far from the reference it stays.
+//! Turning knobs: what each position costs, and how far from the reference it stays.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::error::{Errors, errors};
-use super::front;
-use super::knobs::Knob;
-use crate::accel::Accel;
+use super::error::{Errors, Reference, errors};
+use super::front::{self, Slopes};
+use super::knobs::{Knob, Step};
+use crate::accel::{Accel, AccelKind};
 use crate::probe::{Probe, Silent};
 use crate::scene::{Settings, World};
 use crate::trace::Counts;
@@ -17,103 +17,165 @@ use crate::tracer::{Film, Flow, render};
 pub struct Measured {
     /// Its name.
     pub step: String,
+    /// The samples that it takes, if it is about samples.
+    pub samples: Option<u32>,
     /// The median time of a render, in seconds.
     pub seconds: f64,
     /// The shortest and the longest.
     pub spread: [f64; 2],
-    /// How many renders were timed, after one to warm up.
+    /// How many renders were timed, after one that counted.
     pub runs: usize,
+    /// Seconds that it took to build the acceleration structure, if it is another one.
+    pub built: Option<f64>,
     /// What was counted: the same on every machine.
     pub counts: Counts,
     /// Against the reference, if the picture changes at all.
     pub errors: Option<Errors>,
-    /// True if nothing else on this knob is both cheaper and nearer.
+    /// True if nothing else of this group is both cheaper and nearer.
     pub on_front: bool,
 }
 
-/// A knob with all its positions measured.
+/// A knob with its positions measured.
 #[derive(Clone, Debug)]
 pub struct Sweep {
     /// The knob.
     pub knob: Knob,
     /// Its positions, in order; fewer if time ran out.
     pub steps: Vec<Measured>,
-    /// The fitted slopes of log error over log rays and over log time, if there are enough positions with an error.
-    pub slopes: Option<[f64; 2]>,
+    /// The fitted slopes, if there are enough positions with an error.
+    pub slopes: Option<Slopes>,
 }
 
-/// How long it may take.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// When to end: what is not done by then is left out.
-    pub end: Instant,
+impl Sweep {
+    /// What was measured, with its slopes.
+    pub fn new(knob: Knob, steps: Vec<Measured>) -> Self {
+        Self {
+            slopes: front::slopes(&steps),
+            knob,
+            steps,
+        }
+    }
+}
+
+/// A scene that is measured.
+pub struct Lab {
+    /// The scene.
+    pub world: World,
+    /// Its accelerator.
+    pub accel: AccelKind,
     /// Timed renders of each position.
     pub runs: usize,
     /// Threads, 0 for one a core.
     pub threads: usize,
+    /// What everything is compared with, instead of references that are rendered.
+    pub given: Option<Reference>,
 }
 
-/// A scene that is measured, and the references that are known already.
-pub struct Lab {
-    /// The scene and the accelerator of the knob that is turned.
-    pub world: World,
-    limits: Limits,
-    references: Vec<(Settings, Film)>,
+/// A position that is being measured.
+struct Bench<'a> {
+    knob: usize,
+    step: &'a Step,
+    accel: Option<(Accel, f64)>,
+    counts: Counts,
+    errors: Option<Errors>,
+    seconds: Vec<f64>,
 }
 
 impl Lab {
-    /// Nothing is measured yet.
-    pub fn new(world: World, limits: Limits) -> Self {
-        Self {
-            world,
-            limits,
-            references: Vec::new(),
+    /// Measures the knobs of one group until `end`. What is not done by then is left out, the dearest first. Times
+    /// are taken in turns, so that other work on the machine meets all alike. `told` hears of everything that begins.
+    pub fn measure(&mut self, knobs: Vec<Knob>, end: Instant, told: &dyn Fn(&str)) -> Vec<Sweep> {
+        let wanted = knobs.first().and_then(|knob| knob.reference);
+        let rendered = match wanted {
+            Some(settings) if self.given.is_none() => {
+                told("the reference");
+                let film = self.film::<Silent>(&settings, end);
+                let Some((film, _)) = film else {
+                    return knobs.into_iter().map(|k| Sweep::new(k, vec![])).collect();
+                };
+                Some(Reference::new(film, settings.exposure))
+            }
+            _ => None,
+        };
+        let reference = match wanted {
+            Some(_) => rendered.or_else(|| self.given.clone()),
+            None => None,
+        };
+        let mut benches = self.first_renders(&knobs, reference.as_ref(), end, told);
+        self.timed_renders(&mut benches, end, told);
+
+        let mut steps: Vec<Vec<Measured>> = knobs.iter().map(|_| Vec::new()).collect();
+        for bench in benches {
+            steps[bench.knob].extend(bench.measured());
         }
+        let sweeps = knobs.into_iter().zip(steps);
+        let mut sweeps: Vec<Sweep> = sweeps.map(|(knob, s)| Sweep::new(knob, s)).collect();
+        front::mark(&mut sweeps);
+        sweeps
     }
 
-    /// Measures all positions of a knob. `told` hears of each that begins.
-    pub fn measure(&mut self, knob: Knob, told: &dyn Fn(&str)) -> Sweep {
-        let mut steps = Vec::new();
-        told("the reference");
-        let reference = knob.reference.map(|settings| self.reference(settings));
-        for (step, settings) in &knob.steps {
-            if reference == Some(None) {
-                break;
-            }
-            told(step);
-            // What never changes the picture is the accelerator: only then another one is to be built.
-            if knob.reference.is_none() {
-                self.world.accel = Accel::build(settings.accel, &self.world.scene.shapes);
-            }
-            let number = reference.flatten();
-            let Some(measured) = self.step(step, settings, number) else {
-                break;
+    /// Every position once, the first of each knob first: to count, to compare, and to warm up.
+    fn first_renders<'a>(
+        &mut self,
+        knobs: &'a [Knob],
+        reference: Option<&Reference>,
+        end: Instant,
+        told: &dyn Fn(&str),
+    ) -> Vec<Bench<'a>> {
+        let most = knobs.iter().map(|knob| knob.steps.len()).max().unwrap_or(0);
+        let order = (0..most).flat_map(|s| (0..knobs.len()).map(move |k| (k, s)));
+        let mut benches = Vec::new();
+        for (knob, step) in order.filter_map(|(k, s)| Some((k, knobs[k].steps.get(s)?))) {
+            told(&step.name);
+            let start = Instant::now();
+            let kind = step.settings.accel;
+            let accel = (kind != self.accel).then(|| {
+                let accel = Accel::build(kind, &self.world.scene.shapes);
+                (accel, start.elapsed().as_secs_f64())
+            });
+            let mut bench = Bench {
+                knob,
+                step,
+                accel,
+                counts: Counts::default(),
+                errors: None,
+                seconds: Vec::with_capacity(self.runs),
             };
-            steps.push(measured);
+            bench.swap(&mut self.world);
+            let done = self.film::<Counts>(&step.settings, end);
+            bench.swap(&mut self.world);
+            let Some((film, counts)) = done else { break };
+            bench.counts = counts.iter().fold(Counts::default(), Counts::plus);
+            bench.errors = reference.and_then(|r| errors(&film, r, step.settings.exposure));
+            benches.push(bench);
         }
-        front::mark(&mut steps);
-        let slopes = front::slopes(&steps);
-        Sweep {
-            knob,
-            steps,
-            slopes,
-        }
+        benches
     }
 
-    /// The number of the reference with these settings, rendered if it is new; `None` if time has run out.
-    fn reference(&mut self, settings: Settings) -> Option<usize> {
-        let known = self.references.iter().position(|(s, _)| *s == settings);
-        if known.is_some() {
-            return known;
+    /// Every position with the clock, in turns.
+    fn timed_renders(&mut self, benches: &mut [Bench], end: Instant, told: &dyn Fn(&str)) {
+        for _ in 0..self.runs {
+            for bench in &mut *benches {
+                told(&bench.step.name);
+                bench.swap(&mut self.world);
+                let start = Instant::now();
+                let done = std::hint::black_box(self.film::<Silent>(&bench.step.settings, end));
+                let seconds = start.elapsed().as_secs_f64();
+                bench.swap(&mut self.world);
+                if done.is_none() {
+                    return;
+                }
+                bench.seconds.push(seconds);
+            }
         }
-        let film = self.film::<Silent>(&settings)?.0;
-        self.references.push((settings, film));
-        Some(self.references.len() - 1)
     }
 
     /// A picture, and what its probes heard; `None` if time runs out before it is done.
-    fn film<P: Probe + Default + Send>(&self, settings: &Settings) -> Option<(Film, Vec<P>)> {
-        let Limits { end, threads, .. } = self.limits;
+    pub fn film<P: Probe + Default + Send>(
+        &self,
+        settings: &Settings,
+        end: Instant,
+    ) -> Option<(Film, Vec<P>)> {
         let stopped = AtomicBool::new(false);
         let watch = |_, _| {
             if Instant::now() < end {
@@ -122,33 +184,32 @@ impl Lab {
             stopped.store(true, Ordering::Relaxed);
             Flow::Stop
         };
-        let done = render(&self.world, settings, threads, &watch);
+        let done = render(&self.world, settings, self.threads, &watch);
         (!stopped.load(Ordering::Relaxed)).then_some(done)
     }
+}
 
-    /// One position: rendered once to warm up, once to count, and then some times with the clock; `None` if time runs
-    /// out before the first of these.
-    fn step(&self, step: &str, settings: &Settings, reference: Option<usize>) -> Option<Measured> {
-        let picture = self.film::<Silent>(settings)?.0;
-        let counts = self.film::<Counts>(settings)?.1;
-        let mut seconds = Vec::with_capacity(self.limits.runs);
-        while seconds.len() < self.limits.runs {
-            let start = Instant::now();
-            let done = std::hint::black_box(self.film::<Silent>(settings));
-            if done.is_none() {
-                break;
-            }
-            seconds.push(start.elapsed().as_secs_f64());
+impl Bench<'_> {
+    /// Puts its accelerator into the world, and after its use takes it out again.
+    fn swap(&mut self, world: &mut World) {
+        if let Some((accel, _)) = &mut self.accel {
+            std::mem::swap(accel, &mut world.accel);
         }
-        seconds.sort_by(f64::total_cmp);
+    }
+
+    /// `None` if it was never timed.
+    fn measured(mut self) -> Option<Measured> {
+        self.seconds.sort_by(f64::total_cmp);
+        let seconds = &self.seconds;
         Some(Measured {
-            step: step.to_owned(),
+            step: self.step.name.clone(),
+            samples: self.step.samples,
             seconds: *seconds.get(seconds.len() / 2)?,
             spread: [*seconds.first()?, *seconds.last()?],
             runs: seconds.len(),
-            counts: counts.iter().fold(Counts::default(), Counts::plus),
-            errors: reference
-                .and_then(|number| errors(&picture, &self.references[number].1, settings.exposure)),
+            built: self.accel.map(|(_, seconds)| seconds),
+            counts: self.counts,
+            errors: self.errors,
             on_front: false,
         })
     }

@@ -1,5 +1,6 @@
 //! How far a picture is from a reference.
 
+use super::flip::{Seen, flip};
 use crate::math::Rgb;
 use crate::tracer::Film;
 
@@ -18,13 +19,44 @@ pub struct Errors {
     pub max: f64,
     /// The share of pixels of which a channel, as a screen shows it, is off by more than 1/255.
     pub seen: f64,
+    /// How much an eye that switches between both sees them differ, 0 to 1: see [`super::flip`].
+    pub flip: f64,
+}
+
+/// What pictures are compared with.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    film: Film,
+    seen: Seen,
+}
+
+impl Reference {
+    /// Shown with this exposure.
+    pub fn new(film: Film, exposure: f64) -> Self {
+        Self {
+            seen: Seen::new(&film, exposure),
+            film,
+        }
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> (u32, u32) {
+        (self.film.width, self.film.height)
+    }
+
+    /// The picture.
+    pub fn film(&self) -> &Film {
+        &self.film
+    }
 }
 
 /// The errors of a picture; `None` if the reference has another size.
-pub fn errors(film: &Film, reference: &Film, exposure: f64) -> Option<Errors> {
-    if (film.width, film.height) != (reference.width, reference.height) {
+pub fn errors(film: &Film, reference: &Reference, exposure: f64) -> Option<Errors> {
+    if (film.width, film.height) != reference.size() {
         return None;
     }
+    let flip = flip(&reference.seen, &Seen::new(film, exposure));
+    let reference = &reference.film;
     let (mut squares, mut relative, mut max, mut seen) = (0.0, 0.0, 0.0f64, 0u64);
     for (x, r) in film.pixels.iter().zip(&reference.pixels) {
         for (x, r) in x.channels().into_iter().zip(r.channels()) {
@@ -41,6 +73,7 @@ pub fn errors(film: &Film, reference: &Film, exposure: f64) -> Option<Errors> {
         relative_mse: relative / (3.0 * pixels),
         max,
         seen: seen as f64 / pixels,
+        flip,
     })
 }
 
@@ -64,15 +97,20 @@ mod tests {
         }
     }
 
+    fn reference(pixels: [f64; 2]) -> Reference {
+        Reference::new(film(pixels), 1.0)
+    }
+
     #[test]
     fn errors_are_those_known_on_paper() {
-        let found = errors(&film([0.5, 0.2]), &film([0.5, 0.5]), 1.0).expect("one size");
+        let found = errors(&film([0.5, 0.2]), &reference([0.5, 0.5]), 1.0).expect("one size");
         assert!((found.rmse - 0.3 / 2.0f64.sqrt()).abs() < 1e-15);
         assert!((found.relative_mse - 0.09 / 0.26 / 2.0).abs() < 1e-15);
         assert!((found.max - 0.3).abs() < 1e-15);
         assert_eq!(found.seen, 0.5);
+        assert!(found.flip > 0.1 && found.flip < 1.0);
         assert_eq!(
-            errors(&film([0.5, 0.2]), &film([0.5, 0.2]), 1.0),
+            errors(&film([0.5, 0.2]), &reference([0.5, 0.2]), 1.0),
             Some(Errors::default())
         );
     }
@@ -81,6 +119,7 @@ mod tests {
     fn pictures_of_two_sizes_have_no_distance() {
         let mut other = film([0.0, 0.0]);
         (other.width, other.height) = (1, 2);
+        let other = Reference::new(other, 1.0);
         assert_eq!(errors(&film([0.0, 0.0]), &other, 1.0), None);
     }
 }

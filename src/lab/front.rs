@@ -1,37 +1,61 @@
 //! What measurements say together: the Pareto front, and slopes on log axes.
 
-use super::cost::Measured;
+use super::cost::{Measured, Sweep};
 
 /// Errors below this are rounding, not lack of samples.
 const EXACT: f64 = 1e-12;
 
-/// Marks what nothing else beats: no other is at once as cheap and as near, and better in one of the two. Rays are the
-/// price, since they are the same in every run.
-pub fn mark(steps: &mut [Measured]) {
-    let points: Vec<Option<(u64, f64)>> = steps
-        .iter()
-        .map(|s| s.errors.map(|e| (s.counts.rays(), e.rmse)))
-        .collect();
-    for (step, point) in steps.iter_mut().zip(&points) {
-        let Some((rays, rmse)) = *point else { continue };
+/// How many of the most accurate positions tell what the next step takes.
+const LAST: usize = 3;
+
+/// The slopes of log error, fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slopes {
+    /// Over log samples, if the knob is about samples: what theory speaks of.
+    pub samples: Option<f64>,
+    /// Over log rays.
+    pub rays: f64,
+    /// Over log seconds, of the last three positions: with few samples, it is other things that take the time.
+    pub seconds: f64,
+}
+
+impl Slopes {
+    /// How many times the time is needed for half the error; `None` if it does not fall.
+    pub fn halving(&self) -> Option<f64> {
+        (self.seconds < -0.05).then(|| libm::exp2(-1.0 / self.seconds))
+    }
+}
+
+/// Marks what nothing else in these sweeps, which share a reference, beats: no other is at once as cheap and as near,
+/// and better in one of the two. Rays are the price, since they are the same in every run.
+pub fn mark(sweeps: &mut [Sweep]) {
+    let price = |s: &Measured| s.errors.map(|e| (s.counts.rays(), e.rmse));
+    let all = sweeps.iter().flat_map(|s| &s.steps);
+    let points: Vec<(u64, f64)> = all.filter_map(price).collect();
+    for step in sweeps.iter_mut().flat_map(|s| &mut s.steps) {
+        let Some((rays, rmse)) = price(step) else {
+            continue;
+        };
         step.on_front = !points
             .iter()
-            .flatten()
             .any(|&(r, e)| r <= rays && e <= rmse && (r, e) != (rays, rmse));
     }
 }
 
-/// The slopes of log error over log rays and over log seconds; `None` for fewer than three points with an error.
-pub fn slopes(steps: &[Measured]) -> Option<[f64; 2]> {
-    let points: Vec<[f64; 3]> = steps
-        .iter()
-        .filter_map(|s| {
-            let error = s.errors?.rmse;
-            (error > EXACT).then(|| [error, s.counts.rays() as f64, s.seconds].map(libm::log))
-        })
-        .collect();
-    let over = |axis: usize| fit(&points.iter().map(|p| [p[axis], p[0]]).collect::<Vec<_>>());
-    (points.len() >= 3).then(|| Some([over(1)?, over(2)?]))?
+/// The slopes; `None` for fewer than three points with an error.
+pub fn slopes(steps: &[Measured]) -> Option<Slopes> {
+    let wrong = |s: &&Measured| s.errors.is_some_and(|e| e.rmse > EXACT);
+    let steps: Vec<&Measured> = steps.iter().filter(wrong).collect();
+    let over = |steps: &[&Measured], axis: &dyn Fn(&Measured) -> Option<f64>| {
+        let point = |s: &&Measured| Some([axis(s)?, s.errors?.rmse].map(libm::log));
+        fit(&steps.iter().filter_map(point).collect::<Vec<_>>())
+    };
+    let last = steps.get(steps.len().checked_sub(LAST)?..)?;
+    Some(Slopes {
+        samples: over(&steps, &|s| s.samples.map(f64::from)),
+        rays: over(&steps, &|s| Some(s.counts.rays() as f64))?,
+        seconds: over(last, &|s| Some(s.seconds))?,
+    })
 }
 
 /// The slope of the line through points that leaves the least squares; `None` if they stand above each other.
@@ -50,15 +74,18 @@ pub fn fit(points: &[[f64; 2]]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::super::error::Errors;
+    use super::super::knobs::Knob;
     use super::*;
     use crate::trace::Counts;
 
     fn step(rays: u64, rmse: f64) -> Measured {
         Measured {
             step: String::new(),
+            samples: Some(rays as u32),
             seconds: rays as f64,
             spread: [0.0; 2],
             runs: 1,
+            built: None,
             counts: Counts {
                 light: rays,
                 ..Counts::default()
@@ -71,19 +98,45 @@ mod tests {
         }
     }
 
-    #[test]
-    fn what_costs_more_and_errs_more_is_not_on_the_front() {
-        let mut steps = [step(1, 0.5), step(2, 0.6), step(3, 0.1), step(4, 0.1)];
-        mark(&mut steps);
-        assert_eq!(steps.map(|s| s.on_front), [true, false, true, false]);
+    fn sweep(steps: &[Measured]) -> Sweep {
+        let knob = Knob {
+            group: "knob",
+            way: None,
+            steps: Vec::new(),
+            reference: None,
+            theory: None,
+        };
+        Sweep::new(knob, steps.to_vec())
     }
 
     #[test]
-    fn halving_the_error_at_four_times_the_rays_is_a_slope_of_one_half() {
-        let steps = [step(10, 0.4), step(40, 0.2), step(160, 0.1)];
-        let [rays, seconds] = slopes(&steps).expect("three points");
-        assert!((rays + 0.5).abs() < 1e-12 && (seconds + 0.5).abs() < 1e-12);
+    fn what_costs_more_and_errs_more_is_not_on_the_front() {
+        let mut sweeps = [
+            sweep(&[step(1, 0.5), step(2, 0.6), step(4, 0.1)]),
+            sweep(&[step(2, 0.7), step(3, 0.1)]),
+        ];
+        mark(&mut sweeps);
+        let marks = sweeps.map(|s| s.steps.iter().map(|m| m.on_front).collect::<Vec<_>>());
+        assert_eq!(marks, [vec![true, false, false], vec![false, true]]);
+    }
+
+    #[test]
+    fn halving_the_error_at_four_times_the_price_is_a_slope_of_one_half() {
+        let mut steps = [step(10, 0.4), step(40, 0.2), step(160, 0.1)];
+        let found = slopes(&steps).expect("three points");
+        for slope in [found.samples, Some(found.rays), Some(found.seconds)] {
+            assert!((slope.expect("a slope") + 0.5).abs() < 1e-12);
+        }
+        assert!((found.halving().expect("it falls") - 4.0).abs() < 1e-9);
         assert_eq!(slopes(&steps[..2]), None);
         assert_eq!(slopes(&[step(1, 0.1), step(1, 0.1), step(1, 0.1)]), None);
+        for s in &mut steps {
+            s.samples = None;
+            s.seconds = libm::log(s.seconds);
+        }
+        let found = slopes(&steps).expect("three points");
+        assert!(found.samples.is_none() && found.seconds < -0.5);
+        let stalled = slopes(&[step(10, 0.4), step(40, 0.4), step(160, 0.4)]);
+        assert_eq!(stalled.expect("three points").halving(), None);
     }
 }

@@ -1,9 +1,10 @@
 //! The knobs that a scene really has: what may be turned to trade time for accuracy.
 
+use super::effort::Effort;
 use crate::accel::AccelKind;
 use crate::math::Sampler;
 use crate::scene::effects::{Effect, effects};
-use crate::scene::{Sampling, Settings, World};
+use crate::scene::{Sampling, Settings, World, limits};
 
 /// What is added to the seed of a reference, so that it shares no random number with what it judges.
 const OTHER_SEED: u64 = 0x5eed_0f7e;
@@ -11,13 +12,15 @@ const OTHER_SEED: u64 = 0x5eed_0f7e;
 /// Shapes up to which testing all of them for every ray is worth showing.
 const FEW_SHAPES: usize = 300;
 
-/// Something that can be turned while all the rest stays.
+/// Something that can be turned while all the rest stays, in one way of turning it.
 #[derive(Clone, Debug)]
 pub struct Knob {
-    /// Its name.
-    pub name: String,
-    /// Its positions, the cheapest first: their names and the whole settings.
-    pub steps: Vec<(String, Settings)>,
+    /// What is turned.
+    pub group: &'static str,
+    /// Which way, where there are several: they share a reference, and can be compared.
+    pub way: Option<&'static str>,
+    /// Its positions, the cheapest first.
+    pub steps: Vec<Step>,
     /// The settings of the reference: this knob at its best, with another seed. `None` if turning it never changes the
     /// picture.
     pub reference: Option<Settings>,
@@ -25,13 +28,43 @@ pub struct Knob {
     pub theory: Option<&'static str>,
 }
 
-/// The knobs of a scene. All else is as `base` asks.
-pub fn knobs(world: &World, base: &Settings) -> Vec<Knob> {
+/// A position of a knob.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Its name.
+    pub name: String,
+    /// The samples that it takes, if it is about samples.
+    pub samples: Option<u32>,
+    /// The whole settings.
+    pub settings: Settings,
+}
+
+impl Knob {
+    /// What is turned, and which way.
+    pub fn name(&self) -> String {
+        match self.way {
+            None => self.group.to_owned(),
+            Some(way) => format!("{}, {way}", self.group),
+        }
+    }
+
+    /// True if a user means it by `name`: its group, or its whole name; with `-` for what is no letter.
+    pub fn is_called(&self, name: &str) -> bool {
+        let slug = |text: &str| text.replace(", ", "-").replace(' ', "-");
+        [slug(self.group), slug(&self.name())].contains(&slug(name))
+    }
+}
+
+/// The knobs of a scene, those of one group side by side. All else is as `base` asks.
+pub fn knobs(world: &World, base: &Settings, effort: Effort) -> Vec<Knob> {
     let called_for = effects(&world.scene);
     let uses = |effect| called_for.has(effect) && base.effects.has(effect);
-    let mut knobs = vec![pixel_samples(base)];
+    let mut knobs = vec![
+        pixel_samples(base, Sampling::Regular, effort),
+        pixel_samples(base, Sampling::Jittered, effort),
+    ];
     if uses(Effect::Shadows) && uses(Effect::SoftShadows) {
-        knobs.extend(Sampler::ALL.map(|sampler| light_samples(base, sampler)));
+        knobs.extend(Sampler::ALL.map(|sampler| light_samples(base, sampler, effort)));
     }
     if uses(Effect::Reflection) || uses(Effect::Refraction) {
         knobs.push(depth(base));
@@ -41,42 +74,59 @@ pub fn knobs(world: &World, base: &Settings) -> Vec<Knob> {
     knobs
 }
 
-/// Samples a pixel. One ray to each area light a sample: the samples of a pixel add up.
-fn pixel_samples(base: &Settings) -> Knob {
-    let with = |samples| Settings {
+fn by_samples(effort: Effort, with: impl Fn(u32) -> Settings) -> Vec<Step> {
+    let step = |n: u32| Step {
+        name: n.to_string(),
+        samples: Some(n),
+        settings: with(n),
+    };
+    effort.samples().map(step).collect()
+}
+
+/// Samples a pixel.
+fn pixel_samples(base: &Settings, sampling: Sampling, effort: Effort) -> Knob {
+    let with = |samples, sampling| Settings {
         samples,
-        sampling: Sampling::Jittered,
-        light_samples: 1,
+        sampling,
         ..*base
     };
+    let (way, theory) = match sampling {
+        Sampling::Regular => ("regular", "-1 or less: it stalls at edges along its cells"),
+        Sampling::Jittered => ("jittered", "-0.75 at edges, -1 where it is smooth"),
+    };
     Knob {
-        name: "pixel samples, jittered".to_owned(),
-        steps: [1, 4, 16, 64].map(|n| (n.to_string(), with(n))).to_vec(),
+        group: "pixel samples",
+        way: Some(way),
+        steps: by_samples(effort, |n| with(n, sampling)),
         reference: Some(Settings {
             seed: base.seed ^ OTHER_SEED,
-            ..with(512)
+            ..with(
+                effort.reference.min(limits::MAX_SAMPLES),
+                Sampling::Jittered,
+            )
         }),
-        theory: Some("-0.5 where all is noise, -0.75 at edges, -1 where it is smooth"),
+        theory: Some(theory),
     }
 }
 
-/// Rays to area lights, one sampler. One sample in the middle of each pixel, so that nothing else is by chance.
-fn light_samples(base: &Settings, sampler: Sampler) -> Knob {
+/// Rays to area lights. Always from the same places on the film, so that nothing else is by chance.
+fn light_samples(base: &Settings, sampler: Sampler, effort: Effort) -> Knob {
     let with = |light_samples, sampler| Settings {
-        samples: 1,
         sampling: Sampling::Regular,
         light_samples,
         sampler,
         ..*base
     };
     Knob {
-        name: format!("light samples, {}", sampler.name()),
-        steps: [1, 4, 16, 64]
-            .map(|n| (n.to_string(), with(n, sampler)))
-            .to_vec(),
+        group: "light samples",
+        way: Some(sampler.name()),
+        steps: by_samples(effort, |n| with(n, sampler)),
         reference: Some(Settings {
             seed: base.seed ^ OTHER_SEED,
-            ..with(1024, Sampler::Sobol)
+            ..with(
+                effort.reference.min(limits::MAX_LIGHT_SAMPLES),
+                Sampler::Sobol,
+            )
         }),
         theory: Some(match sampler {
             Sampler::Grid => "none: it stalls at edges along its cells",
@@ -87,26 +137,32 @@ fn light_samples(base: &Settings, sampler: Sampler) -> Knob {
     }
 }
 
-/// Without what else is by chance.
-fn plain(base: &Settings) -> Settings {
-    Settings {
-        samples: 1,
-        sampling: Sampling::Regular,
-        light_samples: 1,
-        ..*base
+/// A knob whose positions are not samples.
+fn plain<T>(
+    group: &'static str,
+    positions: impl IntoIterator<Item = T>,
+    name: impl Fn(&T) -> String,
+    with: impl Fn(T) -> Settings,
+) -> Knob {
+    let step = |position: T| Step {
+        name: name(&position),
+        samples: None,
+        settings: with(position),
+    };
+    Knob {
+        group,
+        way: None,
+        steps: positions.into_iter().map(step).collect(),
+        reference: None,
+        theory: None,
     }
 }
 
 fn depth(base: &Settings) -> Knob {
-    let with = |depth| Settings {
-        depth,
-        ..plain(base)
-    };
+    let with = |depth| Settings { depth, ..*base };
     Knob {
-        name: "depth".to_owned(),
-        steps: (0..=6).map(|n| (n.to_string(), with(n))).collect(),
         reference: Some(with(16)),
-        theory: None,
+        ..plain("depth", 0..=6, u32::to_string, with)
     }
 }
 
@@ -114,15 +170,12 @@ fn min_weight(base: &Settings) -> Knob {
     let with = |min_weight| Settings {
         min_weight,
         depth: base.depth.max(12),
-        ..plain(base)
+        ..*base
     };
+    let weights = [0.3, 0.1, 0.03, 0.01, 1.0 / 512.0];
     Knob {
-        name: "min weight".to_owned(),
-        steps: [0.3, 0.1, 0.03, 0.01, 1.0 / 512.0]
-            .map(|w| (format!("{w:.3}"), with(w)))
-            .to_vec(),
         reference: Some(with(0.0)),
-        theory: None,
+        ..plain("min weight", weights, |w| format!("{w:.3}"), with)
     }
 }
 
@@ -132,18 +185,6 @@ fn accelerators(world: &World, base: &Settings) -> Knob {
     let kinds = AccelKind::ALL
         .into_iter()
         .filter(|kind| few || *kind != AccelKind::List);
-    Knob {
-        name: "accelerator".to_owned(),
-        steps: kinds
-            .map(|accel| {
-                let settings = Settings {
-                    accel,
-                    ..plain(base)
-                };
-                (accel.name().to_owned(), settings)
-            })
-            .collect(),
-        reference: None,
-        theory: None,
-    }
+    let with = |accel| Settings { accel, ..*base };
+    plain("accelerator", kinds, |a| a.name().to_owned(), with)
 }

@@ -15,21 +15,16 @@ const COLORS: [&str; 7] = [
 
 /// The sweeps that have an error, each a line: seconds to the right, RMSE upwards, both by powers of ten.
 pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
-    let lines: Vec<(&str, Vec<[f64; 2]>)> = sweeps
+    let lines: Vec<(String, Vec<[f64; 2]>)> = sweeps
         .iter()
-        .map(|sweep| (sweep.knob.name.as_str(), points(sweep)))
+        .map(|sweep| (sweep.knob.name(), points(sweep)))
         .filter(|(_, points)| !points.is_empty())
         .collect();
     let all = || lines.iter().flat_map(|(_, points)| points);
-    let range = |axis: usize| {
-        let low = all().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
-        let high = all().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-        (low.floor(), high.ceil().max(low.floor() + 1.0))
-    };
     let (x_range, y_range) = if lines.is_empty() {
         ((0.0, 1.0), (0.0, 1.0))
     } else {
-        (range(0), range(1))
+        (range(all().map(|p| p[0])), range(all().map(|p| p[1])))
     };
     let x = |v: f64| MARGIN + (v - x_range.0) / (x_range.1 - x_range.0) * (WIDTH - 2.0 * MARGIN);
     let y = |v: f64| {
@@ -106,7 +101,7 @@ pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
 }
 
 /// log10 of seconds and of RMSE, where there is an error.
-fn points(sweep: &Sweep) -> Vec<[f64; 2]> {
+pub fn points(sweep: &Sweep) -> Vec<[f64; 2]> {
     let steps = sweep.steps.iter();
     steps
         .filter_map(|s| {
@@ -114,6 +109,14 @@ fn points(sweep: &Sweep) -> Vec<[f64; 2]> {
             (rmse > 0.0).then(|| [s.seconds, rmse].map(libm::log10))
         })
         .collect()
+}
+
+/// The powers of ten around values.
+pub fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+        (low.min(v), high.max(v))
+    });
+    (low.floor(), high.ceil().max(low.floor() + 1.0))
 }
 
 fn powers((low, high): (f64, f64)) -> impl Iterator<Item = f64> {

@@ -10,7 +10,7 @@ use super::app::{App, Overlay};
 use super::draw::write;
 use super::theme;
 use crate::math::Rgb;
-use crate::scene::Settings;
+use crate::scene::{Settings, flags};
 use crate::trace::explain::num;
 
 /// How long a pixel may take before a spinner turns, in milliseconds.
@@ -112,34 +112,10 @@ pub fn rerun(app: &App) -> String {
         "raytree trace {} --size {width}x{height} --pixel {x},{y}",
         app.options.scene
     );
-    for (flag, value) in flags(&app.settings, &app.world.scene.settings) {
+    for (flag, value) in flags(&app.settings, &app.world.scene) {
         command.extend([" --", flag, " ", &value]);
     }
     command
-}
-
-/// The settings that are not the scene's own, as flags.
-fn flags(now: &Settings, own: &Settings) -> Vec<(&'static str, String)> {
-    let word = |name: &dyn std::fmt::Debug| format!("{name:?}").to_lowercase();
-    let values = |s: &Settings| {
-        [
-            ("samples", s.samples.to_string()),
-            ("sampling", word(&s.sampling)),
-            ("depth", s.depth.to_string()),
-            ("min-weight", s.min_weight.to_string()),
-            ("fresnel", word(&s.fresnel)),
-            ("exposure", s.exposure.to_string()),
-            ("seed", s.seed.to_string()),
-            ("accel", s.accel.name().to_owned()),
-            ("max-rays", s.max_rays.to_string()),
-        ]
-    };
-    let pairs = values(now).into_iter().zip(values(own));
-    let changed = pairs.filter(|(now, own)| now != own).map(|(now, _)| now);
-    let arithmetic = now.arithmetic.deviations().into_iter();
-    changed
-        .chain(arithmetic.map(|d| (d.choice, d.value)))
-        .collect()
 }
 
 /// What is not computed as raytree would do it: never to be overlooked.

@@ -1,0 +1,139 @@
+//! How much can be afforded: from three small renders, how many samples fit into a time.
+
+use std::time::Instant;
+
+use super::knobs::{Knob, knobs};
+use crate::math::Sampler;
+use crate::probe::Silent;
+use crate::scene::{Settings, World};
+use crate::trace::Counts;
+use crate::tracer::{Flow, render};
+
+/// How many samples are measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// The most samples of a position.
+    pub most: u32,
+    /// The samples of the reference.
+    pub reference: u32,
+}
+
+/// From much to little: the error of a reference is to be small beside those that it judges.
+const EFFORTS: [Effort; 5] = [
+    Effort::of(256),
+    Effort::of(64),
+    Effort::of(16),
+    Effort::of(4),
+    Effort::LEAST,
+];
+
+/// How many times slower than the fastest an accelerator may be; a tree deeper than what was asked for; and so on.
+const OTHER: f64 = 3.0;
+
+/// The part of the time that is planned with: other work may slow down what follows.
+const CAREFUL: f64 = 0.7;
+
+impl Effort {
+    /// What is tried if there is time for nothing more.
+    pub const LEAST: Self = Self {
+        most: 4,
+        reference: 16,
+    };
+
+    const fn of(most: u32) -> Self {
+        Self {
+            most,
+            reference: 16 * most,
+        }
+    }
+
+    /// 1, 4, 16 and so on.
+    pub fn samples(self) -> impl Iterator<Item = u32> {
+        std::iter::successors(Some(1u32), |n| n.checked_mul(4)).take_while(move |n| *n <= self.most)
+    }
+}
+
+/// Seconds that renders take.
+#[derive(Clone, Copy, Debug)]
+pub struct Price {
+    /// A sample of every pixel, without its rays to area lights.
+    sample: f64,
+    /// A ray to each area light from where these arrive.
+    light: f64,
+    /// How many times longer it takes to count.
+    counting: f64,
+}
+
+impl Price {
+    /// Found out by rendering.
+    pub fn of(world: &World, base: &Settings, threads: usize) -> Self {
+        const MANY: u32 = 16;
+        let one = Settings {
+            samples: 1,
+            light_samples: 1,
+            sampler: Sampler::Sobol,
+            ..*base
+        };
+        let many = Settings {
+            light_samples: MANY,
+            ..one
+        };
+        let clock = |settings: &Settings, count: bool| {
+            let start = Instant::now();
+            let go_on = |_, _| Flow::Continue;
+            if count {
+                render::<Counts>(world, settings, threads, &go_on);
+            } else {
+                render::<Silent>(world, settings, threads, &go_on);
+            }
+            start.elapsed().as_secs_f64()
+        };
+        clock(&one, false); // to warm up
+        let (counted, few, more) = (clock(&one, true), clock(&one, false), clock(&many, false));
+        let light = ((more - few) / f64::from(MANY - 1)).max(0.0);
+        Self {
+            sample: (few - light).max(1e-6),
+            light,
+            counting: (counted / few).max(1.0),
+        }
+    }
+
+    /// What a picture takes.
+    pub fn picture(self, settings: &Settings) -> f64 {
+        let lights = self.light * f64::from(settings.light_samples);
+        f64::from(settings.samples) * (self.sample + lights)
+    }
+
+    /// What the knobs of a group take, with their positions rendered `runs` times and counted once, and the reference.
+    pub fn group(self, knobs: &[Knob], runs: usize) -> f64 {
+        let each = self.counting + runs as f64;
+        let steps: f64 = knobs
+            .iter()
+            .flat_map(|knob| knob.steps.iter().map(move |step| (knob, step)))
+            .map(|(knob, step)| {
+                let factor = if knob.theory.is_some() { 1.0 } else { OTHER };
+                self.picture(&step.settings) * each * factor
+            })
+            .sum();
+        let reference = knobs.first().and_then(|knob| knob.reference);
+        steps + reference.map_or(0.0, |settings| self.picture(&settings))
+    }
+}
+
+/// The largest effort with which what is asked for fits into `seconds`; the least one if none does.
+pub fn affordable(
+    world: &World,
+    base: &Settings,
+    price: Price,
+    (seconds, runs): (f64, usize),
+    asked: &dyn Fn(&Knob) -> bool,
+) -> Effort {
+    let fits = |effort: &Effort| {
+        let mut knobs = knobs(world, base, *effort);
+        knobs.retain(|knob| asked(knob));
+        let groups = knobs.chunk_by(|a, b| a.group == b.group);
+        groups.map(|group| price.group(group, runs)).sum::<f64>() <= CAREFUL * seconds
+    };
+    let found = EFFORTS.into_iter().find(fits);
+    found.unwrap_or(Effort::LEAST)
+}

@@ -1,0 +1,32 @@
+//! Settings as the flags of a command line: what must be said to do the same again.
+
+use super::{Scene, Settings};
+
+/// The settings that are not the scene's own, as names and values of flags.
+pub fn flags(now: &Settings, scene: &Scene) -> Vec<(&'static str, String)> {
+    let word = |name: &dyn std::fmt::Debug| format!("{name:?}").to_lowercase();
+    let values = |s: &Settings| {
+        [
+            ("samples", s.samples.to_string()),
+            ("sampling", word(&s.sampling)),
+            ("light-samples", s.light_samples.to_string()),
+            ("sampler", s.sampler.name().to_owned()),
+            ("depth", s.depth.to_string()),
+            ("min-weight", s.min_weight.to_string()),
+            ("fresnel", word(&s.fresnel)),
+            ("exposure", s.exposure.to_string()),
+            ("seed", s.seed.to_string()),
+            ("accel", s.accel.name().to_owned()),
+            ("max-rays", s.max_rays.to_string()),
+        ]
+    };
+    let pairs = values(now).into_iter().zip(values(&scene.settings));
+    let changed = pairs.filter(|(now, own)| now != own).map(|(now, _)| now);
+    let left_out: Vec<&str> = now.left_out(scene).map(super::Effect::name).collect();
+    let without = (!left_out.is_empty()).then(|| ("without", left_out.join(",")));
+    let arithmetic = now.arithmetic.deviations().into_iter();
+    changed
+        .chain(without)
+        .chain(arithmetic.map(|d| (d.choice, d.value)))
+        .collect()
+}
