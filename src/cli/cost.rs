@@ -4,6 +4,7 @@ mod chart;
 mod record;
 mod table;
 
+use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -66,16 +67,15 @@ impl Cost {
         self.check_names(&world, &base)?;
         let price = Price::of(&world, &base, threads);
         let runs = usize::from(self.runs);
-        let effort = match self.most {
-            Some(most) => Effort {
+        let effort = if let Some(most) = self.most {
+            Effort {
                 most,
                 reference: self.reference_samples.unwrap_or(most.saturating_mul(16)),
-            },
-            None => {
-                // The rest of the runs if there is time left for them.
-                let planned = runs.min(PLANNED);
-                affordable(&world, &base, price, (self.budget, planned), &is_asked)
             }
+        } else {
+            // The rest of the runs if there is time left for them.
+            let planned = runs.min(PLANNED);
+            affordable(&world, &base, price, (self.budget, planned), &is_asked)
         };
         let knobs: Vec<Knob> = knobs(&world, &base, effort)
             .into_iter()
@@ -91,7 +91,7 @@ impl Cost {
             given: None,
         };
         let end = start + Duration::from_secs_f64(self.budget * MEASURING);
-        let sweeps = measure_all(&mut lab, knobs, price, end, &bar);
+        let sweeps = measure_all(&mut lab, &knobs, price, end, &bar);
         bar.finish_and_clear();
 
         let again = self.again(&base, &lab.world, effort);
@@ -192,7 +192,8 @@ impl Cost {
         }
         let threads = self.scene.settings.threads;
         if threads != 0 {
-            line.push_str(&format!(" --threads {threads}"));
+            // Writing to a string cannot fail.
+            let _ = write!(line, " --threads {threads}");
         }
         line + &format!(" --runs {} --budget {}", self.runs, self.budget)
     }
@@ -202,7 +203,7 @@ impl Cost {
 /// are still to come.
 fn measure_all(
     lab: &mut Lab,
-    knobs: Vec<Knob>,
+    knobs: &[Knob],
     price: Price,
     end: Instant,
     bar: &ProgressBar,

@@ -1,5 +1,7 @@
 //! Error over time on log axes, as lines of text.
 
+use std::fmt::Write as _;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
@@ -12,6 +14,9 @@ use crate::lab::{Sweep, plot};
 const WIDTH: u16 = 78;
 const HEIGHT: u16 = 18;
 
+/// A sweep in the chart: its letter, its name and its points.
+type Plotted = (char, String, Vec<(f64, f64)>);
+
 /// The letters of the sweeps, in order: told apart without colours.
 pub fn letters() -> impl Iterator<Item = char> {
     ('a'..='z').cycle()
@@ -19,13 +24,13 @@ pub fn letters() -> impl Iterator<Item = char> {
 
 /// The sweeps that have an error: seconds to the right, RMSE upwards. Empty if there are none.
 pub fn lines(sweeps: &[Sweep]) -> String {
-    let lines: Vec<(char, String, Vec<(f64, f64)>)> = letters()
+    let lines: Vec<Plotted> = letters()
         .zip(sweeps)
         .map(|(letter, sweep)| {
             let points = plot::points(sweep).into_iter().map(|[x, y]| (x, y));
             (letter, sweep.knob.name(), points.collect())
         })
-        .filter(|(_, _, points): &(_, _, Vec<_>)| !points.is_empty())
+        .filter(|(_, _, points): &Plotted| !points.is_empty())
         .collect();
     if lines.is_empty() {
         return String::new();
@@ -63,7 +68,8 @@ pub fn lines(sweeps: &[Sweep]) -> String {
         out.push('\n');
     }
     for (letter, name, _) in &lines {
-        out.push_str(&format!("  {letter}  {name}\n"));
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "  {letter}  {name}");
     }
     out
 }
