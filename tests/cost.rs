@@ -154,8 +154,9 @@ fn only_the_knobs_that_a_scene_has_are_turned() {
 #[test]
 fn a_budget_ends_it_and_every_knob_shows_something() {
     let start = Instant::now();
-    let out = cost(&["soft-shadow", "--budget", "4", "--json"]);
-    assert!(start.elapsed().as_secs_f64() < 4.0);
+    let args = ["soft-shadow", "--size", "24x18", "--budget", "8", "--json"];
+    let out = cost(&args);
+    assert!(start.elapsed().as_secs_f64() < 10.0);
     let document: Value = serde_json::from_slice(&out.stdout).expect("JSON");
     for sweep in document["sweeps"].as_array().expect("a list") {
         assert!(
@@ -217,7 +218,8 @@ fn tables_lines_and_a_plot_are_written() {
     }
     // The axis of the chart: which powers of ten there are depends on the machine.
     assert!(
-        text.lines().any(|l| l.contains("1e-") && l.ends_with(" s")),
+        text.lines()
+            .any(|l| l.starts_with("1e-") && l.contains(" s ")),
         "{text}"
     );
     let mut tables = text
