@@ -46,7 +46,7 @@ fn row(name: &str, step: &Measured) -> String {
             e.flip,
             e.rmse * step.seconds
         ),
-        (None, Some(built)) => format!("same picture; built in {:.1} ms", built * 1e3),
+        (None, Some(built)) => format!("same, built in {:.1} ms", built * 1e3),
         (None, None) => "same picture".to_owned(),
     };
     format!(
