@@ -113,7 +113,10 @@ fn contestants(triangles: &[Triangle], shapes: &[Shape]) -> (Vec<Contestant>, Ve
         ]);
         all.push(contestant);
     };
-    for name in NAMES {
+    // `RAYTREE_WHO=wide` asks only those whose names contain it, next to the first peer.
+    let who = std::env::var("RAYTREE_WHO").unwrap_or_default();
+    let is_asked = |name: &str| name == NAMES[0] || name.contains(&who);
+    for name in NAMES.into_iter().filter(|name| is_asked(name)) {
         let build = || seconds(|| Peer::build(name, triangles)).0;
         let ratios = (0..ROUNDS).map(|_| build() / reference()).collect();
         add(
@@ -123,6 +126,9 @@ fn contestants(triangles: &[Triangle], shapes: &[Shape]) -> (Vec<Contestant>, Ve
         );
     }
     for kind in AccelKind::ALL {
+        if !is_asked(kind.name()) {
+            continue;
+        }
         if kind == AccelKind::List && shapes.len() > LIST_LIMIT {
             continue;
         }

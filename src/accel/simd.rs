@@ -38,29 +38,19 @@ pub trait Level: Copy {
     const FUSED: bool;
 
     /// a <= b.
+    fn le4(self, a: &[f32; 4], b: &[f32; 4]) -> u32;
+
+    /// a <= b.
     fn le8(self, a: &[f32; 8], b: &[f32; 8]) -> u32;
 
     /// a <= b.
     fn le16(self, a: &[f32; 16], b: &[f32; 16]) -> u32;
 
     /// 0 <= a.
-    fn positive4(self, a: &[f64; 4]) -> u32;
-
-    /// 0 <= a.
     fn positive8(self, a: &[f64; 8]) -> u32;
 
     /// a < b.
     fn less8(self, a: &[f64; 8], b: &[f64; 8]) -> u32;
-
-    /// Overwrites the elements of `old` whose bit is set.
-    #[inline(always)]
-    fn put8(self, mask: u32, new: &[f64; 8], old: &mut [f64; 8]) {
-        for i in 0..8 {
-            if mask >> i & 1 == 1 {
-                old[i] = new[i];
-            }
-        }
-    }
 
     /// a b - c, with one rounding or two.
     #[inline(always)]
@@ -133,6 +123,11 @@ impl Level for Portable {
     const FUSED: bool = false;
 
     #[inline(always)]
+    fn le4(self, a: &[f32; 4], b: &[f32; 4]) -> u32 {
+        bits::<4>(|i| a[i] <= b[i])
+    }
+
+    #[inline(always)]
     fn le8(self, a: &[f32; 8], b: &[f32; 8]) -> u32 {
         bits::<8>(|i| a[i] <= b[i])
     }
@@ -140,11 +135,6 @@ impl Level for Portable {
     #[inline(always)]
     fn le16(self, a: &[f32; 16], b: &[f32; 16]) -> u32 {
         bits::<16>(|i| a[i] <= b[i])
-    }
-
-    #[inline(always)]
-    fn positive4(self, a: &[f64; 4]) -> u32 {
-        bits::<4>(|i| a[i] >= 0.0)
     }
 
     #[inline(always)]
@@ -165,10 +155,10 @@ use x86::{has_avx2, has_avx512, with_avx2, with_avx512};
 mod x86 {
     use super::{Level, Task};
     use std::arch::x86_64::{
-        _CMP_GE_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _mm256_cmp_pd, _mm256_cmp_ps, _mm256_loadu_pd,
-        _mm256_loadu_ps, _mm256_movemask_pd, _mm256_movemask_ps, _mm256_setzero_pd,
-        _mm512_cmp_pd_mask, _mm512_cmp_ps_mask, _mm512_loadu_pd, _mm512_loadu_ps,
-        _mm512_mask_storeu_pd, _mm512_setzero_pd,
+        _CMP_GE_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _mm_cmple_ps, _mm_loadu_ps, _mm_movemask_ps,
+        _mm256_cmp_pd, _mm256_cmp_ps, _mm256_loadu_pd, _mm256_loadu_ps, _mm256_movemask_pd,
+        _mm256_movemask_ps, _mm256_setzero_pd, _mm512_cmp_pd_mask, _mm512_cmp_ps_mask,
+        _mm512_loadu_pd, _mm512_loadu_ps, _mm512_setzero_pd,
     };
 
     pub fn has_avx2() -> bool {
@@ -210,6 +200,14 @@ mod x86 {
         const FUSED: bool = true;
 
         #[inline(always)]
+        fn le4(self, a: &[f32; 4], b: &[f32; 4]) -> u32 {
+            unsafe {
+                let (a, b) = (_mm_loadu_ps(a.as_ptr()), _mm_loadu_ps(b.as_ptr()));
+                _mm_movemask_ps(_mm_cmple_ps(a, b)).cast_unsigned()
+            }
+        }
+
+        #[inline(always)]
         fn le8(self, a: &[f32; 8], b: &[f32; 8]) -> u32 {
             unsafe {
                 let (a, b) = (_mm256_loadu_ps(a.as_ptr()), _mm256_loadu_ps(b.as_ptr()));
@@ -224,18 +222,14 @@ mod x86 {
         }
 
         #[inline(always)]
-        fn positive4(self, a: &[f64; 4]) -> u32 {
-            unsafe {
+        fn positive8(self, a: &[f64; 8]) -> u32 {
+            let positive4 = |a: &[f64; 4]| unsafe {
                 let a = _mm256_loadu_pd(a.as_ptr());
                 let holds = _mm256_cmp_pd::<_CMP_GE_OQ>(a, _mm256_setzero_pd());
                 _mm256_movemask_pd(holds).cast_unsigned()
-            }
-        }
-
-        #[inline(always)]
-        fn positive8(self, a: &[f64; 8]) -> u32 {
+            };
             let a = a.as_chunks::<4>().0;
-            self.positive4(&a[0]) | self.positive4(&a[1]) << 4
+            positive4(&a[0]) | positive4(&a[1]) << 4
         }
 
         #[inline(always)]
@@ -251,6 +245,14 @@ mod x86 {
 
     impl Level for Avx512 {
         const FUSED: bool = true;
+
+        #[inline(always)]
+        fn le4(self, a: &[f32; 4], b: &[f32; 4]) -> u32 {
+            unsafe {
+                let (a, b) = (_mm_loadu_ps(a.as_ptr()), _mm_loadu_ps(b.as_ptr()));
+                _mm_movemask_ps(_mm_cmple_ps(a, b)).cast_unsigned()
+            }
+        }
 
         #[inline(always)]
         fn le8(self, a: &[f32; 8], b: &[f32; 8]) -> u32 {
@@ -269,15 +271,6 @@ mod x86 {
         }
 
         #[inline(always)]
-        fn positive4(self, a: &[f64; 4]) -> u32 {
-            unsafe {
-                let a = _mm256_loadu_pd(a.as_ptr());
-                let holds = _mm256_cmp_pd::<_CMP_GE_OQ>(a, _mm256_setzero_pd());
-                _mm256_movemask_pd(holds).cast_unsigned()
-            }
-        }
-
-        #[inline(always)]
         fn positive8(self, a: &[f64; 8]) -> u32 {
             unsafe {
                 let a = _mm512_loadu_pd(a.as_ptr());
@@ -290,14 +283,6 @@ mod x86 {
             unsafe {
                 let (a, b) = (_mm512_loadu_pd(a.as_ptr()), _mm512_loadu_pd(b.as_ptr()));
                 u32::from(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b))
-            }
-        }
-
-        #[inline(always)]
-        fn put8(self, mask: u32, new: &[f64; 8], old: &mut [f64; 8]) {
-            unsafe {
-                let new = _mm512_loadu_pd(new.as_ptr());
-                _mm512_mask_storeu_pd(old.as_mut_ptr(), mask as u8, new);
             }
         }
     }
@@ -331,14 +316,9 @@ mod tests {
             vec![
                 level.le8(&a.as_chunks().0[0], &b.as_chunks().0[0]),
                 level.le16(&a, &b),
-                level.positive4(&wide.as_chunks().0[0]),
+                level.le4(&a.as_chunks().0[0], &b.as_chunks().0[0]),
                 level.positive8(&wide),
                 level.less8(&wide, &std::array::from_fn(|i| wide[7 - i])),
-                {
-                    let mut old = [1.0; 8];
-                    level.put8(0b1010_0110, &[2.0; 8], &mut old);
-                    old.iter().fold(0, |all, &x| all * 4 + x as u32)
-                },
             ]
         }
     }

@@ -31,9 +31,15 @@ impl Slack {
         }
     }
 
+    /// The thickness for a ray whose origin has coordinates up to `farthest`.
+    #[inline(always)]
+    pub fn within(&self, farthest: f64) -> f64 {
+        self.factor * (self.reach + farthest)
+    }
+
     /// The thickness on each side, in metres, for a ray from `origin`.
     pub fn around(&self, origin: DVec3) -> f64 {
-        self.factor * (self.reach + origin.abs().max_element())
+        self.within(origin.abs().max_element())
     }
 }
 

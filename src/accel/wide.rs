@@ -10,6 +10,7 @@
 //! Meister and Bittner 2018, "Parallel locally-ordered clustering".
 
 mod build;
+mod filter;
 mod lanes;
 pub(super) mod local;
 mod packet;
@@ -66,12 +67,16 @@ struct Node {
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 struct Block {
-    /// The corners of four triangles in world space: of each coordinate each corner, of all four. All NaN where there
-    /// is no primitive, and all 0 for shapes that are not triangles.
-    corners: [[[f64; LEAF]; 3]; 3],
+    /// The corners of four triangles in the frame's space: of each coordinate each corner, of all four. All NaN where
+    /// there is no triangle.
+    corners: [[[f32; LEAF]; 3]; 3],
     /// Which they are; [`NONE`] where there is none.
     primitives: [u32; LEAF],
-    count: u32,
+    /// None of the triangles is larger along an axis.
+    size: f32,
+    count: u8,
+    /// The mask of those that are other shapes than triangles.
+    others: u8,
 }
 
 impl Wide {

@@ -35,6 +35,17 @@ impl Shear {
     #[inline]
     pub fn new(ray: &Ray) -> Self {
         let d = ray.direction;
+        let [x, y, z] = Self::axes(d);
+        Self {
+            origin: ray.origin,
+            axes: [x, y, z],
+            s: DVec3::new(d[x] / d[z], d[y] / d[z], 1.0 / d[z]),
+        }
+    }
+
+    /// The axes that take the parts of x, y and z along direction `d`.
+    #[inline]
+    pub fn axes(d: DVec3) -> [usize; 3] {
         let abs = d.abs();
         let z = if abs.x > abs.y && abs.x > abs.z {
             0
@@ -43,16 +54,9 @@ impl Shear {
         } else {
             2
         };
-        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
+        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
         // A direction against the axis would turn the winding over; swapping x and y turns it back.
-        if d[z] < 0.0 {
-            std::mem::swap(&mut x, &mut y);
-        }
-        Self {
-            origin: ray.origin,
-            axes: [x, y, z],
-            s: DVec3::new(d[x] / d[z], d[y] / d[z], 1.0 / d[z]),
-        }
+        if d[z] < 0.0 { [y, x, z] } else { [x, y, z] }
     }
 
     /// A point in the ray's view; z is its ray parameter.

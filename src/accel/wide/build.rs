@@ -8,7 +8,7 @@ use obvhs::aabb::Aabb as Box32;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 
-use super::local::Frame;
+use super::local::{Frame, round_up};
 use super::{BLOCK, Block, DEEP, LEAF, Node, WIDTH, Wide};
 use crate::accel::simd::Isa;
 use crate::accel::slack::{Slack, conditioning};
@@ -170,7 +170,8 @@ fn collapse(wide: &mut Wide, tree: &Binary, ids: &[u32], shapes: &[Shape]) {
             if source.is_leaf() {
                 node.children[i] = BLOCK | wide.blocks.len() as u32;
                 let leaf = &tree.order[source.first_index as usize..][..source.prim_count as usize];
-                wide.blocks.push(block(leaf, ids, shapes));
+                let block = block(&wide.frame, leaf, ids, shapes);
+                wide.blocks.push(block);
             }
         }
         wide.nodes.push(node);
@@ -185,25 +186,30 @@ fn collapse(wide: &mut Wide, tree: &Binary, ids: &[u32], shapes: &[Shape]) {
 }
 
 /// The primitives of a leaf, in the order of their ids.
-fn block(leaf: &[u32], ids: &[u32], shapes: &[Shape]) -> Block {
+fn block(frame: &Frame, leaf: &[u32], ids: &[u32], shapes: &[Shape]) -> Block {
     let mut block = Block {
-        corners: [[[f64::NAN; LEAF]; 3]; 3],
+        corners: [[[f32::NAN; LEAF]; 3]; 3],
         primitives: [NONE; LEAF],
-        count: leaf.len() as u32,
+        size: 0.0,
+        count: leaf.len() as u8,
+        others: 0,
     };
     for (to, &index) in block.primitives.iter_mut().zip(leaf) {
         *to = ids[index as usize];
     }
     block.primitives[..leaf.len().min(LEAF)].sort_unstable();
     for (lane, &primitive) in block.primitives.iter().enumerate().take(leaf.len()) {
-        for corner in 0..3 {
-            for axis in 0..3 {
-                block.corners[axis][corner][lane] = match &shapes[primitive as usize] {
-                    Shape::Triangle(triangle) => triangle.corners[corner][axis],
-                    _ => 0.0,
-                };
+        let Shape::Triangle(triangle) = &shapes[primitive as usize] else {
+            block.others |= 1 << lane;
+            continue;
+        };
+        for (corner, &place) in triangle.corners.iter().enumerate() {
+            for (axis, part) in frame.point(place).into_iter().enumerate() {
+                block.corners[axis][corner][lane] = part;
             }
         }
+        let size = triangle.bounds().size().max_element() * frame.scale;
+        block.size = block.size.max(round_up(size));
     }
     block
 }

@@ -15,10 +15,10 @@ use crate::geometry::Aabb;
 use crate::math::{DVec3, Interval, Ray};
 
 /// 2^-24, the unit roundoff of `f32`.
-const U: f64 = f32::EPSILON as f64 / 2.0;
+pub const U: f64 = f32::EPSILON as f64 / 2.0;
 
 /// Rays that start farther away, in units of half the scene, are brought near.
-const FAR: f64 = 16.0;
+pub const FAR: f64 = 16.0;
 
 /// No direction is flatter, so its inverse stays finite: 2^-40. Over the scene that is an error of less than u.
 pub const FLATTEST: f32 = 1.0 / (1u64 << 40) as f32;
@@ -28,9 +28,9 @@ pub const FLATTEST: f32 = 1.0 / (1u64 << 40) as f32;
 pub struct Frame {
     /// Around all that is in the tree.
     bounds: Aabb,
-    center: DVec3,
-    scale: f64,
-    slack: Slack,
+    pub center: DVec3,
+    pub scale: f64,
+    pub slack: Slack,
 }
 
 /// A ray in the tree's space.
@@ -95,6 +95,18 @@ impl Frame {
         (min.map(round_down), max.map(round_up))
     }
 
+    /// A point in this space, rounded.
+    #[inline(always)]
+    pub fn point(&self, p: DVec3) -> [f32; 3] {
+        ((p - self.center) * self.scale).as_vec3().to_array()
+    }
+
+    /// True if rays of this rate neither overflow nor vanish, nor do areas: else no useful bound is known.
+    #[inline(always)]
+    pub fn is_usable(rate: f64) -> bool {
+        rate > 1e-100 && rate < 1e100
+    }
+
     /// A ray in this space.
     #[inline(always)]
     pub fn plan(&self, ray: &Ray, interval: Interval) -> Plan {
@@ -108,8 +120,8 @@ impl Frame {
             longest
         };
         let rate = self.scale * unit;
-        let usable = rate > 1e-200 && rate < 1e200 && ray.direction.is_finite();
-        if !usable || !ray.origin.is_finite() {
+        let usable = Self::is_usable(self.scale) && Self::is_usable(rate);
+        if !usable || !ray.direction.is_finite() || !ray.origin.is_finite() {
             return Plan::TestAll;
         }
         let slack = self.slack.around(ray.origin);

@@ -1,8 +1,8 @@
 //! One ray through the tree, the nearest boxes first.
 
-use super::lanes::Sight;
+use super::filter::{depth_inside, doubt};
 use super::local::{Local, Plan};
-use super::{BLOCK, Block, DEEP, Node, WIDTH, Wide};
+use super::{BLOCK, Block, DEEP, LEAF, Node, WIDTH, Wide};
 use crate::accel::Query;
 use crate::accel::simd::{Level, Task};
 use crate::geometry::Hit;
@@ -81,7 +81,7 @@ fn follow<const DEPTH: usize, const ANY: bool, L: Level, P: Probe>(
 ) {
     // Children that wait, the nearest on top: where the ray enters (not negative, so its bits sort as it does), and
     // which.
-    let sight = Sight::new(&query.shear);
+    let sight = Sight::new(local, query.shear.axes);
     let mut stack = [0u64; DEPTH];
     let mut waiting = 0;
     let mut max = best.map_or(local.max, |hit| smaller(local.max, local.not_before(hit.t)));
@@ -171,6 +171,41 @@ fn cross<L: Level>(level: L, node: &Node, local: &Local, max: f32) -> ([f32; WID
     (enter, leave)
 }
 
+/// A ray as the filter of triangles sees it, in the tree's space.
+struct Sight {
+    axes: [usize; 3],
+    origin: [f32; 3],
+    slope: [f32; 2],
+    pad: f32,
+}
+
+impl Sight {
+    #[inline(always)]
+    fn new(local: &Local, axes: [usize; 3]) -> Self {
+        let [x, y, z] = axes;
+        let (o, inverse) = (local.origin, local.inverse);
+        Self {
+            axes,
+            origin: [o[x], o[y], o[z]],
+            slope: [inverse[z] / inverse[x], inverse[z] / inverse[y]],
+            pad: local.pad,
+        }
+    }
+
+    /// The mask of what may be hit in a block.
+    #[inline(always)]
+    fn candidates<L: Level>(&self, level: L, block: &Block) -> u32 {
+        let [x, y, z] = self.axes;
+        let rows = [&block.corners[x], &block.corners[y], &block.corners[z]];
+        let depth = depth_inside::<LEAF>(
+            |c, k, i| rows[k][c][i],
+            |k, _| self.origin[k],
+            |k, _| self.slope[k],
+        );
+        level.le4(&[-doubt(block.size, self.pad); LEAF], &depth) | u32::from(block.others)
+    }
+}
+
 /// Tests the primitives of a block: those that the ray may hit, or all if someone listens.
 #[inline(always)]
 fn test_block<const ANY: bool, L: Level, P: Probe>(
@@ -184,7 +219,7 @@ fn test_block<const ANY: bool, L: Level, P: Probe>(
     if P::TRAVERSAL {
         return query.test_all::<ANY, P>(block.primitives(), best, probe);
     }
-    let mut candidates = level.positive4(&sight.candidates(&block.corners));
+    let mut candidates = sight.candidates(level, block);
     while candidates != 0 {
         let lane = candidates.trailing_zeros() as usize;
         candidates &= candidates - 1;

@@ -111,5 +111,5 @@ fn every_instruction_set_answers_as_the_list_does() {
 
 #[test]
 fn nodes_and_blocks_stay_small() {
-    assert_eq!((size_of::<Node>(), size_of::<Block>()), (224, 320));
+    assert_eq!((size_of::<Node>(), size_of::<Block>()), (224, 192));
 }
