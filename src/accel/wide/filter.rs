@@ -36,15 +36,6 @@ pub fn depth_inside<const N: usize>(
     origin: impl Fn(usize, usize) -> f32,
     slope: impl Fn(usize, usize) -> f32,
 ) -> [f32; N] {
-    let see = |c: usize| {
-        let mut out = [[0.0; N]; 2];
-        for i in 0..N {
-            let z = corner(c, 2, i) - origin(2, i);
-            out[0][i] = (corner(c, 0, i) - origin(0, i)) - slope(0, i) * z;
-            out[1][i] = (corner(c, 1, i) - origin(1, i)) - slope(1, i) * z;
-        }
-        out
-    };
     let edge = |p: &Seen<N>, q: &Seen<N>| {
         let mut out = [0.0; N];
         for i in 0..N {
@@ -52,8 +43,26 @@ pub fn depth_inside<const N: usize>(
         }
         out
     };
-    let [a, b, c] = [see(0), see(1), see(2)];
+    let a = seen(|k, i| corner(0, k, i), &origin, &slope);
+    let b = seen(|k, i| corner(1, k, i), &origin, &slope);
+    let c = seen(|k, i| corner(2, k, i), &origin, &slope);
     inside(&edge(&b, &c), &edge(&c, &a), &edge(&a, &b))
+}
+
+/// x' and y' of a corner. No closure: one that is not inlined is not compiled for the level.
+#[inline(always)]
+fn seen<const N: usize>(
+    corner: impl Fn(usize, usize) -> f32,
+    origin: impl Fn(usize, usize) -> f32,
+    slope: impl Fn(usize, usize) -> f32,
+) -> Seen<N> {
+    let mut out = [[0.0; N]; 2];
+    for i in 0..N {
+        let z = corner(2, i) - origin(2, i);
+        out[0][i] = (corner(0, i) - origin(0, i)) - slope(0, i) * z;
+        out[1][i] = (corner(1, i) - origin(1, i)) - slope(1, i) * z;
+    }
+    out
 }
 
 /// B: triangles of this size may be hit down to a depth of -B, and are surely hit from a depth of B on.

@@ -302,7 +302,7 @@ impl Packet<'_> {
             farthest[i] = (last - o[2][i]) * rate[i] + error;
         }
         may &= level.le16(&nearest, &self.rays.max);
-        let mut surely = level.le16(&[doubt; RAYS], &depth)
+        let surely = level.le16(&[doubt; RAYS], &depth)
             & level.le16(&self.rays.min, &nearest)
             & level.le16(&farthest, &self.rays.max)
             & may;
@@ -328,7 +328,6 @@ impl Packet<'_> {
         for i in each(surely) {
             self.rays.max[i] = smaller(self.rays.max[i], farthest[i]);
         }
-        surely &= may;
         surely != 0
     }
 
