@@ -8,6 +8,7 @@ mod render;
 mod scenes;
 mod schema;
 mod settings;
+mod stability;
 mod trace;
 mod view;
 
@@ -55,6 +56,8 @@ enum Command {
     Effects(effects::Effects),
     /// Measure what accuracy costs in time
     Cost(cost::Cost),
+    /// Look at hard cases: what common arithmetic makes of them, and what raytree does
+    Stability(stability::Stability),
     /// List the built-in scenes
     Scenes(scenes::Scenes),
     /// Print the JSON Schema of scene files or of ray trees
@@ -90,6 +93,7 @@ fn run(cli: Cli) -> Result<Done, Failure> {
         Some(Command::Trace(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
         Some(Command::Cost(command)) => command.run(),
+        Some(Command::Stability(command)) => command.run(),
         Some(Command::Scenes(command)) => command.run(),
         Some(Command::Schema(command)) => command.run(),
         Some(Command::Completions { shell }) => {

@@ -7,6 +7,7 @@ pub mod flip;
 pub mod front;
 pub mod knobs;
 pub mod plot;
+pub mod stability;
 
 pub use cost::{Lab, Measured, Sweep};
 pub use effort::{Effort, Price, affordable};

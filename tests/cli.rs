@@ -359,3 +359,24 @@ fn the_debugger_without_a_terminal_says_what_to_do_instead() {
         refused(args, 1, &["terminal", "raytree trace"]);
     }
 }
+
+#[test]
+fn stability_tells_which_arithmetic_is_wrong() {
+    let text = String::from_utf8(run(&["stability"]).out).expect("UTF-8");
+    for part in ["shared-edges", "--triangle moller-trumbore", "wrong"] {
+        assert!(text.contains(part), "no {part} in\n{text}");
+    }
+    assert!(text.lines().all(|l| l.chars().count() <= 80), "{text}");
+    let one = run(&["stability", "far-sphere", "--json"]).out;
+    let one: Value = serde_json::from_slice(&one).expect("JSON");
+    assert_eq!(one.as_array().map(Vec::len), Some(1));
+    let outcomes = one[0]["outcomes"].as_array().expect("a list");
+    let verdict = |ours: bool| {
+        let mut of = outcomes.iter().filter(|o| o["ours"] == ours);
+        of.next().expect("there")["verdict"].clone()
+    };
+    assert_eq!(
+        (verdict(true), verdict(false)),
+        ("right".into(), "wrong".into())
+    );
+}
