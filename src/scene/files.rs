@@ -79,36 +79,21 @@ impl Files {
 
     /// The text of the file at `path`, which the user chose and which may be anywhere.
     pub fn open(&mut self, path: &Path) -> Result<String, Problem> {
-        let metadata = fs::metadata(path).map_err(|e| unreadable(&e))?;
-        if metadata.is_dir() {
-            return Err(Problem::new(
-                "this is a folder",
-                "name a file in it that ends in .json or .obj",
-            ));
+        let (file, length) = regular(path)?;
+        if length > MAX_FILE_BYTES {
+            return Err(too_large(MAX_FILE_BYTES, "a file"));
         }
-        // Asked before it is opened: a pipe would wait for ever, a device has no end.
-        if !metadata.is_file() {
-            return Err(Problem::new(
-                "this is not a regular file",
-                "save the scene to a file first",
-            ));
-        }
-        let file = fs::File::open(path).map_err(|e| unreadable(&e))?;
-        let mut bytes = Vec::new();
+        let mut bytes = Vec::with_capacity(length as usize + 1);
         file.take(MAX_FILE_BYTES + 1)
             .read_to_end(&mut bytes)
             .map_err(|e| unreadable(&e))?;
         self.bytes += bytes.len() as u64;
-        let (limit, of) = if bytes.len() as u64 > MAX_FILE_BYTES {
-            (MAX_FILE_BYTES, "a file")
-        } else {
-            (MAX_SCENE_BYTES, "all files of a scene together")
-        };
-        if bytes.len() as u64 > MAX_FILE_BYTES || self.bytes > MAX_SCENE_BYTES {
-            return Err(Problem::new(
-                format!("{of} may have {} MiB at most", limit >> 20),
-                "use a model with fewer triangles",
-            ));
+        // It may have grown since it was asked for its length.
+        if bytes.len() as u64 > MAX_FILE_BYTES {
+            return Err(too_large(MAX_FILE_BYTES, "a file"));
+        }
+        if self.bytes > MAX_SCENE_BYTES {
+            return Err(too_large(MAX_SCENE_BYTES, "all files of a scene together"));
         }
         self.take(&bytes);
         text(bytes)
@@ -142,6 +127,33 @@ impl Files {
         }
         self.open(&path).map(Some)
     }
+}
+
+/// Opens a regular file, and tells its length.
+pub fn regular(path: &Path) -> Result<(fs::File, u64), Problem> {
+    let metadata = fs::metadata(path).map_err(|e| unreadable(&e))?;
+    if metadata.is_dir() {
+        return Err(Problem::new(
+            "this is a folder",
+            "name a file in it that ends in .json or .obj",
+        ));
+    }
+    // Asked before it is opened: a pipe would wait for ever, a device has no end.
+    if !metadata.is_file() {
+        return Err(Problem::new(
+            "this is not a regular file",
+            "save the scene to a file first",
+        ));
+    }
+    let file = fs::File::open(path).map_err(|e| unreadable(&e))?;
+    Ok((file, metadata.len()))
+}
+
+fn too_large(limit: u64, of: &str) -> Problem {
+    Problem::new(
+        format!("{of} may have {} MiB at most", limit >> 20),
+        "use a model with fewer triangles",
+    )
 }
 
 /// Refuses a path that leads out of the scene's folder, or means different things on different systems.

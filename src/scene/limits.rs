@@ -2,9 +2,9 @@
 //! bounded before memory or time is spent on it.
 
 /// Bytes of one file.
-pub const MAX_FILE_BYTES: u64 = 64 << 20;
+pub const MAX_FILE_BYTES: u64 = 256 << 20;
 /// Bytes of all files of a scene together; a file that is used twice counts twice.
-pub const MAX_SCENE_BYTES: u64 = 256 << 20;
+pub const MAX_SCENE_BYTES: u64 = 512 << 20;
 /// Triangles and other shapes of a scene.
 pub const MAX_PRIMITIVES: usize = 2_000_000;
 /// Lights of a scene: each costs a shadow ray at every hit.

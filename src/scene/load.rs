@@ -7,7 +7,7 @@ use super::file::{
     CameraFile, DirectionalFile, Format, LightFile, ObjFile, ObjectFile, SceneFile, SettingsFile,
     parse,
 };
-use super::files::Files;
+use super::files::{Files, regular};
 use super::nearest::nearest;
 use super::resolve::resolve;
 use super::{Camera, Scene, builtin, generated};
@@ -69,8 +69,7 @@ fn unknown(spec: &str) -> Problem {
 /// A scene around a bare model: the camera sees all of it, a light shines over the viewer's left shoulder.
 fn model(path: &Path, spec: &str, stem: &str, files: Files) -> Result<Scene, SceneError> {
     // A clear answer if it cannot be read, before it is looked for as a part of a scene.
-    let check = Files::beside(path).open(path);
-    check.map_err(|p| p.in_file(spec))?;
+    regular(path).map_err(|p| p.in_file(spec))?;
     let name = path.file_name().and_then(|n| n.to_str());
     let file = SceneFile {
         format: Format::V1,
@@ -95,7 +94,11 @@ fn model(path: &Path, spec: &str, stem: &str, files: Files) -> Result<Scene, Sce
         })],
         settings: SettingsFile::default(),
     };
-    let mut scene = resolve(&file, spec, files)?;
+    // The user has no scene file whose fields could be named.
+    let mut scene = resolve(&file, spec, files).map_err(|error| SceneError {
+        field: String::new(),
+        ..error
+    })?;
     let bounds = scene
         .shapes
         .iter()

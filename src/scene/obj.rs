@@ -1,19 +1,21 @@
 //! Meshes from OBJ files, with the materials of their MTL files.
 
-mod check;
+mod faces;
 mod mtl;
+mod parts;
 mod polygon;
+mod surface;
+mod vertices;
+mod words;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
-use check::{Checked, Face};
+use faces::{Faces, Mark};
 
-use super::VertexData;
 use super::error::{Problem, SceneError};
 use super::files::Files;
 use super::limits::MAX_PRIMITIVES;
 use super::mesh::Mesh;
-use crate::math::{DVec2, DVec3};
 use crate::shading::Material;
 
 /// What an OBJ file holds.
@@ -52,27 +54,43 @@ pub fn parse(
     own_materials: bool,
 ) -> Result<Obj, SceneError> {
     let file = &files.label(name);
-    let checked = check::check(text).map_err(|(line, problem)| problem.in_line(file, line))?;
-    let mut warnings = Vec::new();
-    let (count, line) = checked.edges;
-    if count > 0 {
-        warnings.push(format!(
-            "{file}:{line}: {count} faces have fewer than three corners, this is the first: they are left out"
-        ));
-    }
-    let materials = if own_materials {
-        read_materials(&checked, name, files, &mut warnings)?
-    } else {
-        Vec::new()
-    };
-    let parts = read_parts(&checked, file, &materials)?;
-    if parts.is_empty() {
+    let surface = surface::read(text).map_err(|(line, problem)| problem.in_line(file, line))?;
+    let triangles = surface.faces.triangles.len();
+    if triangles == 0 {
         return Err(Problem::new(
             "there is no face in it",
             "an OBJ file needs lines `v x y z` for points and `f a b c` for faces",
         )
         .in_file(file));
     }
+    if triangles > MAX_PRIMITIVES {
+        return Err(Problem::new(
+            format!("it has more than {MAX_PRIMITIVES} triangles"),
+            "use a model with fewer triangles",
+        )
+        .in_file(file));
+    }
+    let mut warnings = Vec::new();
+    let (count, line) = surface.faces.edges;
+    if count > 0 {
+        warnings.push(format!(
+            "{file}:{line}: {count} faces have fewer than three corners, this is the first: they are left out"
+        ));
+    }
+    if !own_materials {
+        return Ok(Obj {
+            parts: vec![parts::whole(surface)],
+            materials: Vec::new(),
+            warnings,
+        });
+    }
+    let materials = read_materials(&surface.faces, name, files, &mut warnings)?;
+    // The first of a name counts.
+    let mut numbers = HashMap::new();
+    for (number, material) in materials.iter().enumerate() {
+        numbers.entry(material.name.as_str()).or_insert(number);
+    }
+    let parts = parts::parts(surface, |name| numbers.get(name).copied());
     Ok(Obj {
         parts,
         materials,
@@ -83,14 +101,19 @@ pub fn parse(
 /// The materials of all MTL files that an OBJ file names. One that is missing, or a material that none describes, is
 /// only a warning: the shape can be seen without.
 fn read_materials(
-    checked: &Checked,
+    faces: &Faces,
     name: &str,
     files: &mut Files,
     warnings: &mut Vec<String>,
 ) -> Result<Vec<Material>, SceneError> {
     let mut materials: Vec<Material> = Vec::new();
     let file = &files.label(name);
-    for (line, library) in &checked.libraries {
+    let mut libraries = 0;
+    for (_, line, mark) in &faces.marks {
+        let Mark::Library(library) = mark else {
+            continue;
+        };
+        libraries += 1;
         // Its path starts where the OBJ file is.
         let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
         let path = match folder {
@@ -111,137 +134,18 @@ fn read_materials(
             .map_err(|(line, problem)| problem.in_line(&files.label(&path), line))?;
         materials.extend(found);
     }
-    for (line, name) in &checked.uses {
-        if !checked.libraries.is_empty() && !materials.iter().any(|m| m.name == *name) {
+    if libraries == 0 {
+        return Ok(materials);
+    }
+    let mut known: HashSet<&str> = materials.iter().map(|m| m.name.as_str()).collect();
+    for (_, line, mark) in &faces.marks {
+        if let Mark::Material(name) = mark
+            && known.insert(name)
+        {
             warnings.push(format!(
                 "{file}:{line}: no MTL file describes the material `{name}`: it is grey"
             ));
         }
     }
     Ok(materials)
-}
-
-fn read_parts(
-    checked: &Checked,
-    file: &str,
-    materials: &[Material],
-) -> Result<Vec<Part>, SceneError> {
-    let options = tobj::LoadOptions {
-        ignore_points: true,
-        ignore_lines: true,
-        ..tobj::LoadOptions::default()
-    };
-    // The materials were read already; all that matters here is their numbers. The first of a name counts.
-    let numbers: HashMap<String, usize> = (0..materials.len())
-        .rev()
-        .map(|i| (materials[i].name.clone(), i))
-        .collect();
-    let stand_ins = || vec![tobj::Material::default(); materials.len()];
-    let text = format!("mtllib all\n{}", checked.text);
-    let loaded = tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| {
-        Ok((stand_ins(), numbers.clone()))
-    });
-    let (models, _) = loaded.map_err(|e| {
-        Problem::new(
-            format!("it cannot be read: {e}"),
-            "save it again from the program that made it",
-        )
-        .in_file(file)
-    })?;
-
-    let mut faces = checked.faces.iter();
-    let mut parts: Vec<Part> = Vec::new();
-    let mut triangles = 0;
-    for model in models {
-        let mesh = triangles_of(&model.mesh, &mut faces);
-        triangles += mesh.triangles.len();
-        if triangles > MAX_PRIMITIVES {
-            return Err(Problem::new(
-                format!("it has more than {MAX_PRIMITIVES} triangles"),
-                "use a model with fewer triangles",
-            )
-            .in_file(file));
-        }
-        if mesh.triangles.is_empty() {
-            continue;
-        }
-        let named = !matches!(&*model.name, "unnamed_object" | "default" | "off");
-        parts.push(Part {
-            name: if named { model.name } else { String::new() },
-            material: model.mesh.material_id,
-            mesh,
-        });
-    }
-    Ok(parts)
-}
-
-/// The faces of one model, cut into triangles. `faces` tells of each face of the file, in order.
-fn triangles_of<'a>(mesh: &tobj::Mesh, faces: &mut impl Iterator<Item = &'a Face>) -> Mesh {
-    let points: Vec<DVec3> = mesh
-        .positions
-        .chunks_exact(3)
-        .map(DVec3::from_slice)
-        .collect();
-    let mut normals: Vec<DVec3> = mesh
-        .normals
-        .chunks_exact(3)
-        .map(|n| DVec3::from_slice(n).normalize_or_zero())
-        .collect();
-    let mut uvs: Vec<DVec2> = mesh
-        .texcoords
-        .chunks_exact(2)
-        .map(DVec2::from_slice)
-        .collect();
-    // What the reader invents for corners that have none is replaced by what changes nothing.
-    let no_normal = normals.len() as u32;
-    normals.push(DVec3::ZERO);
-    let no_uv = uvs.len() as u32;
-    uvs.extend([DVec2::ZERO, DVec2::X, DVec2::Y]);
-
-    let mut result = Mesh::default();
-    let mut corners = VertexData::default();
-    let (mut any_normal, mut any_uv) = (false, false);
-    let mut start = 0;
-    let mut arities = mesh.face_arities.iter();
-    while start < mesh.indices.len() {
-        let arity = arities.next().map_or(3, |&n| n as usize);
-        let end = (start + arity).min(mesh.indices.len());
-        let Some(face) = faces.next() else { break };
-        let at = |list: &[u32], i: usize| list.get(start + i).copied();
-        let outline: Vec<DVec3> = mesh.indices[start..end]
-            .iter()
-            .filter_map(|&i| points.get(i as usize).copied())
-            .collect();
-        for cut in polygon::triangulate(&outline) {
-            result.triangles.push(cut.map(|i| mesh.indices[start + i]));
-            result.lines.push(face.line);
-            let normal = cut.map(|i| at(&mesh.normal_indices, i).filter(|_| face.normals));
-            any_normal |= normal[0].is_some();
-            corners
-                .normal_indices
-                .push(normal.map(|n| n.unwrap_or(no_normal)));
-            let uv = cut.map(|i| at(&mesh.texcoord_indices, i).filter(|_| face.uvs));
-            any_uv |= uv[0].is_some();
-            corners.uv_indices.push(match uv {
-                [Some(a), Some(b), Some(c)] => [a, b, c],
-                _ => [no_uv, no_uv + 1, no_uv + 2],
-            });
-        }
-        start = end;
-    }
-    if any_normal {
-        corners.normals = normals;
-    } else {
-        corners.normal_indices.clear();
-    }
-    if any_uv {
-        corners.uvs = uvs;
-    } else {
-        corners.uv_indices.clear();
-    }
-    Mesh {
-        points,
-        corners,
-        ..result
-    }
 }

@@ -1,9 +1,11 @@
 //! Meshes: from lists in a scene file, and into the world.
 
+use rayon::prelude::*;
+
 use super::Builder;
 use super::checks::{direction, point};
 use super::objects::Header;
-use crate::geometry::{Shape, Triangle};
+use crate::geometry::Triangle;
 use crate::math::{DVec2, DVec3};
 use crate::scene::VertexData;
 use crate::scene::error::{Place, SceneError};
@@ -17,67 +19,65 @@ impl Builder {
         self.begin(&header.name, material, &header.place)?;
         let Mesh {
             mut points,
-            triangles,
+            mut triangles,
             lines,
             mut corners,
         } = mesh;
-        let mut mirrored = false;
         if let Some(map) = &header.map {
-            for p in &mut points {
-                *p = map.point(*p);
+            points.par_iter_mut().for_each(|p| *p = map.point(*p));
+            for n in corners.normals.iter_mut().filter(|n| **n != DVec3::ZERO) {
+                *n = map.normal(*n);
             }
-            let turned = |n: &DVec3| {
-                if *n == DVec3::ZERO {
-                    *n
-                } else {
-                    map.normal(*n)
+            // In a mirror, what ran counter-clockwise runs clockwise.
+            if map.flips_handedness() {
+                let lists = [&mut triangles, &mut corners.normal_indices];
+                for list in lists.into_iter().chain([&mut corners.uv_indices]) {
+                    for triangle in list.iter_mut() {
+                        triangle.swap(1, 2);
+                    }
                 }
-            };
-            for n in &mut corners.normals {
-                *n = turned(n);
             }
-            mirrored = map.flips_handedness();
         }
-        // In a mirror, what ran counter-clockwise runs clockwise.
-        let order = |t: [u32; 3]| if mirrored { [t[0], t[2], t[1]] } else { t };
-        let mut kept = VertexData {
-            normals: corners.normals,
-            uvs: corners.uvs,
-            ..VertexData::default()
+        let place = |t: &[u32; 3]| Triangle {
+            corners: t.map(|i| points[i as usize]),
         };
-        let (mut flat, mut first) = (0, 0);
-        for (i, t) in triangles.iter().enumerate() {
-            let triangle = Triangle {
-                corners: order(*t).map(|i| points[i as usize]),
-            };
-            if triangle.normal().is_none() {
-                first = if flat == 0 { i } else { first };
-                flat += 1;
-                continue;
-            }
-            self.put(Shape::Triangle(triangle), &header.place)?;
-            kept.normal_indices
-                .extend(corners.normal_indices.get(i).copied().map(order));
-            kept.uv_indices
-                .extend(corners.uv_indices.get(i).copied().map(order));
-        }
-        if flat > 0 {
-            let which = match lines.get(first) {
+        let count = triangles.len();
+        let flat: Vec<usize> = (0..count)
+            .into_par_iter()
+            .filter(|i| place(&triangles[*i]).normal().is_none())
+            .collect();
+        if let Some(first) = flat.first() {
+            let which = match lines.get(*first) {
                 Some(line) => format!("the first is on line {line}"),
                 None => format!("the first is number {first}"),
             };
             self.warn(&format!(
-                "object `{}`: {flat} of {} triangles have no area ({which}): they are left out",
+                "object `{}`: {} of {count} triangles have no area ({which}): they are left out",
                 header.name,
-                triangles.len()
+                flat.len(),
             ));
+            leave_out(&flat, &mut triangles);
+            leave_out(&flat, &mut corners.normal_indices);
+            leave_out(&flat, &mut corners.uv_indices);
         }
-        let plain = kept.normal_indices.is_empty() && kept.uv_indices.is_empty();
+        drop(lines);
+        self.put_all(&triangles, place, &header.place)?;
+        let plain = corners.normal_indices.is_empty() && corners.uv_indices.is_empty();
         if let Some(object) = self.scene.objects.last_mut() {
-            object.vertices = (!plain).then_some(kept);
+            object.vertices = (!plain).then_some(corners);
         }
         Ok(())
     }
+}
+
+/// Takes the elements with these numbers, which ascend, out of a list.
+fn leave_out<T>(numbers: &[usize], list: &mut Vec<T>) {
+    let (mut left, mut number) = (numbers.iter().peekable(), 0);
+    list.retain(|_| {
+        let out = left.next_if_eq(&&number).is_some();
+        number += 1;
+        !out
+    });
 }
 
 /// Finite points, not too far away.

@@ -4,7 +4,6 @@ use super::objects::Header;
 use super::{Builder, checks};
 use crate::scene::error::{Place, SceneError};
 use crate::scene::file::ObjFile;
-use crate::scene::mesh::Mesh;
 use crate::scene::obj;
 use crate::shading::Material;
 
@@ -30,11 +29,8 @@ impl Builder {
         }
 
         if let Some(material) = material {
-            let mut whole = Mesh::default();
-            for part in read.parts {
-                whole.append(part.mesh);
-            }
-            return self.mesh(header, material, whole);
+            let mut parts = read.parts.into_iter();
+            return parts.try_for_each(|part| self.mesh(header, material, part.mesh));
         }
         let mut numbers = Vec::with_capacity(read.materials.len());
         for found in read.materials {

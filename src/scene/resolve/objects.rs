@@ -1,10 +1,12 @@
 //! Objects: their names, their materials, and their shapes in the world.
 
+use rayon::prelude::*;
+
 use super::checks::{self, direction, point, positive};
 use super::meshes::{directions, inline, points, quad};
 use super::placement::placed;
 use super::{Builder, shapes};
-use crate::geometry::{Aabb, Disc, Shape, Sphere};
+use crate::geometry::{Aabb, Disc, Shape, Sphere, Triangle};
 use crate::math::{DVec3, Transform};
 use crate::scene::error::{Place, Problem, SceneError};
 use crate::scene::file::{ObjectFile, TransformStep, Vector};
@@ -193,12 +195,7 @@ impl Builder {
 
     /// Puts a shape into the object that was begun last.
     pub fn put(&mut self, shape: Shape, place: &Place) -> Result<(), SceneError> {
-        if self.scene.shapes.len() >= MAX_PRIMITIVES {
-            return Err(place.error(
-                format!("the scene has more than {MAX_PRIMITIVES} triangles and other shapes"),
-                "use models with fewer triangles",
-            ));
-        }
+        self.make_room(1, place)?;
         if let Some(bounds) = shape.bounds() {
             near(bounds.min, place)?;
             near(bounds.max, place)?;
@@ -206,6 +203,38 @@ impl Builder {
         self.scene.shapes.push(shape);
         self.scene.owners.push(self.scene.objects.len() as u32 - 1);
         Ok(())
+    }
+
+    /// Puts triangles into it; `make` finds the corners of one.
+    pub fn put_all(
+        &mut self,
+        triangles: &[[u32; 3]],
+        make: impl Fn(&[u32; 3]) -> Triangle + Sync,
+        place: &Place,
+    ) -> Result<(), SceneError> {
+        self.make_room(triangles.len(), place)?;
+        let corners = |t| make(t).corners.map(DVec3::abs);
+        let reach = triangles
+            .par_iter()
+            .map(|t| corners(t).into_iter().fold(DVec3::ZERO, DVec3::max))
+            .reduce(|| DVec3::ZERO, DVec3::max);
+        near(reach, place)?;
+        let shapes = &mut self.scene.shapes;
+        shapes.reserve_exact(triangles.len());
+        shapes.par_extend(triangles.par_iter().map(|t| Shape::Triangle(make(t))));
+        let owner = self.scene.objects.len() as u32 - 1;
+        self.scene.owners.resize(shapes.len(), owner);
+        Ok(())
+    }
+
+    fn make_room(&self, more: usize, place: &Place) -> Result<(), SceneError> {
+        if self.scene.shapes.len() + more <= MAX_PRIMITIVES {
+            return Ok(());
+        }
+        Err(place.error(
+            format!("the scene has more than {MAX_PRIMITIVES} triangles and other shapes"),
+            "use models with fewer triangles",
+        ))
     }
 
     fn single(&mut self, header: &Header, material: u32, shape: Shape) -> Result<(), SceneError> {
