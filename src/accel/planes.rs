@@ -1,6 +1,6 @@
 //! A tree of planes for speed: single precision proposes, double precision decides.
 //!
-//! One traversal for the trees that [`super::kd`] and [`super::oblique`] build, which differ only in their planes.
+//! The traversal of the tree that `kd` builds; planes may stand at any angle.
 //! Nodes live in the space of [`super::wide`]'s boxes and are asked with its rays: a plane is taken as thick as a box is
 //! grown there, so what lies beyond it is missed by no rounding. A plane along an axis takes one multiplication, one at
 //! any other angle two dot products and a division. Source: Ize, Wald and Parker 2008, "Ray tracing with the BSP

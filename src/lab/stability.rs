@@ -1,7 +1,7 @@
 //! Hard cases, measured: what common arithmetic makes of them, and what ours does.
 //!
 //! Each case is data and a function that counts how often an arithmetic is wrong. What is right is known on paper or
-//! from [`expansion`], which is exact; nothing is quoted. The cases are the same in every run.
+//! from `expansion`, which is exact; nothing is quoted. The cases are the same in every run.
 
 mod expansion;
 mod meshes;
