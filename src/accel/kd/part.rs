@@ -6,6 +6,10 @@ use crate::accel::wide::local::Frame;
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 
+/// By how much a box is grown before a triangle is cut to it. Its sides are rounded by up to 2^-24, and a triangle that is
+/// flat and lies along a side would lose whole parts to that.
+const ROUNDED: f64 = 1.0 / (1 << 22) as f64;
+
 /// What clipping needs to know.
 pub struct Clip<'a> {
     pub shapes: &'a [Shape],
@@ -36,8 +40,9 @@ impl Clip<'_> {
             *to = self.frame.inside(from);
         }
         for axis in 0..3 {
-            corners = cut(&corners.0[..corners.1], axis, 1.0, f64::from(min[axis]));
-            corners = cut(&corners.0[..corners.1], axis, -1.0, f64::from(max[axis]));
+            let (low, high) = (f64::from(min[axis]), f64::from(max[axis]));
+            corners = cut(&corners.0[..corners.1], axis, 1.0, low - ROUNDED);
+            corners = cut(&corners.0[..corners.1], axis, -1.0, high + ROUNDED);
         }
         if corners.1 == 0 {
             // Rounding has lost it.
