@@ -7,7 +7,8 @@
 //! A hit at t lies within the slack of its shape (see `slack`), and the shape inside the volume: so volumes are grown
 //! by the slack before they are asked, and no hit is lost.
 
-use super::slack::{Slack, conditioning};
+use super::sift::{Sifted, sift};
+use super::slack::Slack;
 use super::{AccelStats, NodeView, Query};
 use crate::geometry::{Aabb, Hit, Shape};
 use crate::math::{DVec3, Interval, Ray};
@@ -60,24 +61,19 @@ pub struct Item {
 impl Boxes {
     /// A tree without nodes, and the items to grow it from.
     pub fn seed(shapes: &[Shape]) -> (Self, Vec<Item>) {
-        let (mut items, mut outside) = (Vec::with_capacity(shapes.len()), Vec::new());
-        let (mut reach, mut condition) = (0.0f64, 0.0f64);
-        for (primitive, shape) in (0..).zip(shapes) {
-            let (r, c) = conditioning(shape);
-            match shape.bounds() {
-                Some(bounds) if c <= Slack::MAX_CONDITION && r <= Slack::MAX_REACH => {
-                    reach = reach.max(r);
-                    condition = condition.max(c);
-                    items.push(Item { primitive, bounds });
-                }
-                _ => outside.push(primitive),
-            }
-        }
+        let Sifted {
+            inside,
+            outside,
+            slack,
+            ..
+        } = sift(shapes, Slack::MAX_REACH);
+        let item = |(primitive, bounds)| Item { primitive, bounds };
+        let items: Vec<Item> = inside.into_iter().map(item).collect();
         let tree = Self {
             nodes: Vec::new(),
             references: Vec::with_capacity(items.len()),
             outside,
-            slack: Slack::new(reach, condition),
+            slack,
             depth: 0,
         };
         (tree, items)

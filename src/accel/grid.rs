@@ -7,7 +7,8 @@
 //! is within the slack of the cell that is visited for t, and a hit at t is within the slack of its shape. Shapes are
 //! put into all cells that their boxes reach when they are grown by several times that.
 
-use super::slack::{Slack, conditioning};
+use super::sift::{Sifted, sift};
+use super::slack::Slack;
 use super::{AccelStats, NodeView, Query};
 use crate::geometry::{Aabb, Hit, Shape};
 use crate::math::{DVec3, Interval};
@@ -44,21 +45,12 @@ pub struct Grid {
 impl Grid {
     /// Sorts `shapes` into cells.
     pub fn build(shapes: &[Shape]) -> Self {
-        let (mut items, mut outside) = (Vec::new(), Vec::new());
-        let (mut reach, mut condition, mut bounds) = (0.0f64, 0.0f64, Aabb::EMPTY);
-        for (primitive, shape) in (0u32..).zip(shapes) {
-            let (r, c) = conditioning(shape);
-            match shape.bounds() {
-                Some(b) if c <= Slack::MAX_CONDITION && r <= Slack::MAX_REACH => {
-                    reach = reach.max(r);
-                    condition = condition.max(c);
-                    bounds = bounds.union(b);
-                    items.push((primitive, b));
-                }
-                _ => outside.push(primitive),
-            }
-        }
-        let slack = Slack::new(reach, condition);
+        let Sifted {
+            inside: items,
+            outside,
+            bounds,
+            slack,
+        } = sift(shapes, Slack::MAX_REACH);
         let mut grid = Self {
             bounds,
             size: [0; 3],

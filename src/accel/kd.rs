@@ -55,7 +55,11 @@ pub fn build(shapes: &[Shape]) -> Planes {
         shapes,
         frame: &frame,
     };
-    let items: Vec<Item> = sifted.inside.iter().map(|&id| clip.whole(id)).collect();
+    let items: Vec<Item> = sifted
+        .inside
+        .iter()
+        .map(|(id, _)| clip.whole(*id))
+        .collect();
     let bounds = around(&items);
     let count = items.len();
     let mut tree = Tree::default();

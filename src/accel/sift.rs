@@ -5,8 +5,8 @@ use crate::geometry::{Aabb, Shape};
 
 /// Shapes sorted by whether a tree can bound them.
 pub struct Sifted {
-    /// Those that go into the tree, in order.
-    pub inside: Vec<u32>,
+    /// Those that go into the tree, in order, with their boxes.
+    pub inside: Vec<(u32, Aabb)>,
     /// The others: without an end, too large, or placed too skew for a sharp bound.
     pub outside: Vec<u32>,
     /// Around all that is inside.
@@ -26,7 +26,7 @@ pub fn sift(shapes: &[Shape], max_reach: f64) -> Sifted {
                 reach = reach.max(r);
                 condition = condition.max(c);
                 around = around.union(b);
-                inside.push(id);
+                inside.push((id, b));
             }
             _ => outside.push(id),
         }

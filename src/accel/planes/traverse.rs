@@ -1,10 +1,10 @@
 //! Following a ray through the tree, front to back: the first child at once, the second from a stack.
 
-use super::{LEAF, MAX_DEPTH, Node, Planes, THICKER, TILTED};
+use super::{LEAF, MAX_DEPTH, Node, Planes};
 use crate::accel::Query;
 use crate::accel::bsp::traverse::ended;
 use crate::accel::simd::{Level, Task};
-use crate::accel::wide::local::{FLATTEST, Local, Plan};
+use crate::accel::wide::local::{Local, Plan};
 use crate::accel::wide::single::{larger, smaller};
 use crate::geometry::Hit;
 use crate::math::Interval;
@@ -59,44 +59,17 @@ impl Planes {
         }
         (min <= max).then_some((min, max))
     }
+}
 
-    #[inline(always)]
-    fn cross<L: Level>(
-        &self,
-        level: L,
-        node: Node,
-        local: &Local,
-        direction: &[f32; 3],
-    ) -> Crossing {
-        let kind = node.kind() as usize;
-        if kind < TILTED as usize {
-            let inverse = local.inverse[kind];
-            return Crossing {
-                enter: level.multiply_subtract(node.value, inverse, local.near[kind]),
-                leave: level.multiply_subtract(node.value, inverse, local.far[kind]),
-                front: local.backwards[kind] as u32,
-            };
-        }
-        let plane = &self.tree.tilted[node.number()];
-        let [x, y, z] = plane.normal;
-        let dot = |v: &[f32; 3]| x * v[0] + y * v[1] + z * v[2];
-        let climb = dot(direction);
-        // No ray is flatter, so the inverse stays finite.
-        let climb = if climb.abs() < FLATTEST {
-            FLATTEST.copysign(climb)
-        } else {
-            climb
-        };
-        let inverse = 1.0 / climb;
-        let (t, half) = (
-            (plane.d - dot(&local.origin)) * inverse,
-            THICKER * local.pad * inverse.abs(),
-        );
-        Crossing {
-            enter: t - half,
-            leave: t + half,
-            front: u32::from(climb < 0.0),
-        }
+/// Where a ray crosses a node's plane.
+#[inline(always)]
+fn cross<L: Level>(level: L, node: Node, local: &Local) -> Crossing {
+    let axis = node.kind() as usize;
+    let inverse = local.inverse[axis];
+    Crossing {
+        enter: level.multiply_subtract(node.value, inverse, local.near[axis]),
+        leave: level.multiply_subtract(node.value, inverse, local.far[axis]),
+        front: local.backwards[axis] as u32,
     }
 }
 
@@ -168,7 +141,6 @@ fn follow<const ANY: bool, L: Level, P: Probe>(
     best: &mut Option<Hit>,
     probe: &mut P,
 ) {
-    let direction = local.inverse.map(|i| 1.0 / i);
     let mut end = best.map_or(f32::INFINITY, |hit| local.not_before(hit.t));
     // Each level of the tree leaves at most one child behind.
     let mut stack = [Pending {
@@ -185,7 +157,7 @@ fn follow<const ANY: bool, L: Level, P: Probe>(
             if node.kind() == LEAF {
                 break node;
             }
-            let crossing = planes.cross(level, node, local, &direction);
+            let crossing = cross(level, node, local);
             if P::TRAVERSAL {
                 probe.event(tell(planes, id, query, local, &crossing, (min, max)));
             }

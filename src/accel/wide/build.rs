@@ -10,9 +10,9 @@ use obvhs::bvh2::node::Bvh2Node;
 
 use super::local::{Frame, round_up};
 use super::{BLOCK, Block, DEEP, LEAF, Node, WIDTH, Wide};
+use crate::accel::sift::{Sifted, sift};
 use crate::accel::simd::Isa;
-use crate::accel::slack::{Slack, conditioning};
-use crate::geometry::{Aabb, Shape};
+use crate::geometry::Shape;
 use crate::probe::NONE;
 
 /// Shapes with larger coordinates are left outside: products of four lengths must not overflow.
@@ -28,23 +28,14 @@ struct Binary {
 
 /// Builds the tree over `shapes`.
 pub fn build(shapes: &[Shape]) -> Wide {
-    let (mut ids, mut bounds, mut outside) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut reach, mut condition, mut around) = (0.0f64, 0.0f64, Aabb::EMPTY);
-    for (id, shape) in shapes.iter().enumerate() {
-        let (r, c) = conditioning(shape);
-        match shape.bounds() {
-            Some(b) if c <= Slack::MAX_CONDITION && r <= MAX_REACH && !b.is_empty() => {
-                reach = reach.max(r);
-                condition = condition.max(c);
-                around = around.union(b);
-                ids.push(id as u32);
-                bounds.push(b);
-            }
-            _ => outside.push(id as u32),
-        }
-    }
+    let Sifted {
+        inside,
+        outside,
+        bounds,
+        slack,
+    } = sift(shapes, MAX_REACH);
     let mut wide = Wide {
-        frame: Frame::new(around, Slack::new(reach, condition)),
+        frame: Frame::new(bounds, slack),
         nodes: Vec::new(),
         blocks: Vec::new(),
         outside,
@@ -52,21 +43,21 @@ pub fn build(shapes: &[Shape]) -> Wide {
         depth: 0,
         isa: Isa::best(),
     };
-    if ids.is_empty() {
+    if inside.is_empty() {
         return wide;
     }
-    let boxes: Vec<Box32> = bounds
+    let boxes: Vec<Box32> = inside
         .iter()
         .zip(0..)
-        .map(|(&b, index)| {
-            let (min, max) = wide.frame.outwards(b);
+        .map(|((_, b), index)| {
+            let (min, max) = wide.frame.outwards(*b);
             let grow = jitter(index);
             let min = std::array::from_fn(|k| min[k] - grow[k]);
             let max = std::array::from_fn(|k| max[k] + grow[k]);
             Box32::new(Vec3A::from_array(min), Vec3A::from_array(max))
         })
         .collect();
-    drop(bounds);
+    let ids: Vec<u32> = inside.into_iter().map(|(id, _)| id).collect();
     collapse(&mut wide, &clustered(&boxes), &ids, shapes);
     if wide.waiting > DEEP {
         collapse(&mut wide, &halved(&boxes), &ids, shapes);

@@ -19,14 +19,8 @@
 //! if all three are above B, those of the double test do as well, and its functions are not zero. What it takes for
 //! t is a mean of the corners' depths, and lies between them but for less than 4 pads.
 
-// Plain loops are what becomes vector instructions.
-#![allow(clippy::needless_range_loop)]
-
-use super::lanes::inside;
+use super::lanes::{edge, inside, seen};
 use super::local::U;
-
-/// What one lane knows of a corner, seen along its ray.
-type Seen<const N: usize> = [[f32; N]; 2];
 
 /// The least edge function if all are positive, or the least of their negatives: on how deep inside the ray passes.
 /// Of each lane `corner(c, k, i)`, `origin(k, i)` and `slope(k, i)` tell coordinate k in the order of the view.
@@ -36,33 +30,10 @@ pub fn depth_inside<const N: usize>(
     origin: impl Fn(usize, usize) -> f32,
     slope: impl Fn(usize, usize) -> f32,
 ) -> [f32; N] {
-    let edge = |p: &Seen<N>, q: &Seen<N>| {
-        let mut out = [0.0; N];
-        for i in 0..N {
-            out[i] = q[0][i] * p[1][i] - q[1][i] * p[0][i];
-        }
-        out
-    };
     let a = seen(|k, i| corner(0, k, i), &origin, &slope);
     let b = seen(|k, i| corner(1, k, i), &origin, &slope);
     let c = seen(|k, i| corner(2, k, i), &origin, &slope);
     inside(&edge(&b, &c), &edge(&c, &a), &edge(&a, &b))
-}
-
-/// x' and y' of a corner. No closure: one that is not inlined is not compiled for the level.
-#[inline(always)]
-fn seen<const N: usize>(
-    corner: impl Fn(usize, usize) -> f32,
-    origin: impl Fn(usize, usize) -> f32,
-    slope: impl Fn(usize, usize) -> f32,
-) -> Seen<N> {
-    let mut out = [[0.0; N]; 2];
-    for i in 0..N {
-        let z = corner(2, i) - origin(2, i);
-        out[0][i] = (corner(0, i) - origin(0, i)) - slope(0, i) * z;
-        out[1][i] = (corner(1, i) - origin(1, i)) - slope(1, i) * z;
-    }
-    out
 }
 
 /// B: triangles of this size may be hit down to a depth of -B, and are surely hit from a depth of B on.

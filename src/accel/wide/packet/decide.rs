@@ -68,7 +68,7 @@ impl Pairs {
         let slope = [row(|i| d[0][i] / d[2][i]), row(|i| d[1][i] / d[2][i])];
         let stretch = row(|i| 1.0 / d[2][i]);
         let [a, b, c] = [0, 1, 2].map(|corner| {
-            lanes::seen::<LANES>(
+            lanes::seen::<f64, LANES>(
                 |k, i| self.corners[corner][k][i],
                 |k, i| origin[k][i],
                 |k, i| slope[k][i],
@@ -87,7 +87,7 @@ impl Pairs {
             row(|i| stretch[i] * (z[i] - origin[2][i]))
         });
         let t = row(|i| (u[i] * p[i] + v[i] * q[i] + w[i] * r[i]) / area[i]);
-        let products = |p: &lanes::Seen<LANES>, q: &lanes::Seen<LANES>| {
+        let products = |p: &lanes::Seen<f64, LANES>, q: &lanes::Seen<f64, LANES>| {
             row(|i| (q[0][i] * p[1][i]).abs() + (q[1][i] * p[0][i]).abs())
         };
         let [x, y, z] = [products(&b, &c), products(&c, &a), products(&a, &b)];
