@@ -8,6 +8,7 @@ mod auto;
 mod boxes;
 pub mod bsp;
 mod bvh;
+mod crossings;
 pub mod grid;
 mod kd;
 pub mod list;
@@ -315,11 +316,13 @@ impl<'a> Query<'a> {
             Intersection::Hit { t, barycentric } => {
                 let closer = best.is_none_or(|b| (t, primitive) < (b.t, b.primitive));
                 if closer {
-                    *best = Some(Hit {
-                        t,
-                        primitive,
-                        barycentric,
-                    });
+                    if !P::EVERY {
+                        *best = Some(Hit {
+                            t,
+                            primitive,
+                            barycentric,
+                        });
+                    }
                     (Verdict::Hit, t)
                 } else {
                     (Verdict::TooFar, t)

@@ -20,6 +20,10 @@ pub trait Probe {
     /// Whether anything is wanted at all. If not, questions may be answered in bundles, ahead of the one who asks.
     const LISTENS: bool = true;
 
+    /// Whether a search should go on after a hit, so that every crossing is tested and told of, and none becomes the
+    /// answer.
+    const EVERY: bool = false;
+
     /// Called once for everything that happens, in order.
     fn event(&mut self, event: Event);
 }

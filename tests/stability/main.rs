@@ -1,0 +1,15 @@
+//! Hard cases stay numerically stable: each is a test whose name holds the number that it has in README.md.
+//!
+//! `cargo test` runs a share of the rays; `RAYTREE_STABILITY=full cargo test --release --test stability` runs all.
+//! What is right is told by something that shares nothing with the code under test: exact rational numbers, a formula
+//! known on paper, or the list, which has no tree to go wrong.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bsp;
+mod meshes;
+mod oracle;
+mod spheres;
+mod support;
+mod triangles;
