@@ -149,3 +149,6 @@ fn read_materials(
     }
     Ok(materials)
 }
+
+#[cfg(test)]
+mod tests;

@@ -29,7 +29,8 @@ pub fn read(text: &str) -> Result<Surface, (usize, Problem)> {
     read_in_pieces(text, PIECE)
 }
 
-fn read_in_pieces(text: &str, size: usize) -> Result<Surface, (usize, Problem)> {
+/// The same in pieces of about `size` bytes, which makes no difference to what is read.
+pub fn read_in_pieces(text: &str, size: usize) -> Result<Surface, (usize, Problem)> {
     let texts = split(text, size);
     let mut vertices: Vec<_> = texts.par_iter().map(|text| vertices::read(text)).collect();
     let mut pieces = Vec::with_capacity(texts.len());
