@@ -281,6 +281,33 @@ fn what_cannot_be_written_is_status_1_and_leaves_nothing() {
     assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
 }
 
+#[test]
+fn a_pfm_holds_the_radiance_that_trace_tells() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("picture.PFM");
+    let name = file.to_str().expect("UTF-8");
+    // The exposure is for screens: radiance does not know it.
+    let exposed = ["whitted", "--size", "9x7", "--exposure", "0.25"];
+    let ran = run(&[&["render", "-o", name], &exposed[..]].concat());
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+    let bytes = fs::read(&file).expect("written");
+    let floats = bytes.strip_prefix(b"PF\n9 7\n-1.0\n").expect("a header");
+    assert_eq!(floats.len(), 9 * 7 * 12);
+    for (x, y) in [(0, 0), (4, 3), (8, 6), (2, 5)] {
+        let pixel = format!("{x},{y}");
+        let traced = run(&[&["trace", "--pixel", &pixel], &exposed[..]].concat());
+        let traced: Value = serde_json::from_slice(&traced.out).expect("JSON");
+        for channel in 0..3 {
+            let at = ((6 - y) * 9 + x) * 12 + channel * 4;
+            let got = f32::from_le_bytes(floats[at..at + 4].try_into().expect("4 bytes"));
+            let linear = traced["color"]["linear"][channel]
+                .as_f64()
+                .expect("a number");
+            assert_eq!(got, linear as f32, "pixel {pixel}");
+        }
+    }
+}
+
 /// A file keeps its old contents until the new ones are complete.
 #[test]
 fn a_failed_command_does_not_touch_the_old_file() {

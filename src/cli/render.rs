@@ -15,7 +15,7 @@ use crate::accel::fastest;
 use crate::probe::Silent;
 use crate::scene::{Settings, World};
 use crate::trace::Counts;
-use crate::tracer::picture::{png, text};
+use crate::tracer::picture::{pfm, png, text};
 use crate::tracer::{Film, Flow, render};
 
 /// What is said when a limit cut a picture short.
@@ -24,8 +24,9 @@ was asked for (raise --max-rays or --min-weight, or lower --depth)";
 
 #[derive(Args)]
 pub struct Render {
-    /// Write a PNG file; without, the picture is drawn as text
-    #[arg(short, long, value_name = "FILE.png")]
+    /// Write a PNG file, or a PFM file (linear radiance, 32-bit floats) if the name ends in .pfm; without, the picture
+    /// is drawn as text
+    #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Tell how many rays, nodes and tests it took, and how long
     #[arg(long)]
@@ -53,7 +54,14 @@ impl Render {
         let seconds = start.elapsed().as_secs_f64();
 
         if let Some(path) = &self.output {
-            let bytes = png::encode(&film, settings.exposure).map_err(std::io::Error::other);
+            let is_pfm = path
+                .extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case("pfm"));
+            let bytes = if is_pfm {
+                Ok(pfm::encode(&film))
+            } else {
+                png::encode(&film, settings.exposure).map_err(std::io::Error::other)
+            };
             output::write(Some(path), |out| out.write_all(&bytes?))?;
         } else {
             let level = self.color.level();
