@@ -9,10 +9,14 @@ mod boxes;
 pub mod bsp;
 mod bvh;
 mod crossings;
+mod filter;
 pub mod grid;
 mod kd;
+mod lanes;
 pub mod list;
+mod local;
 mod octree;
+mod packet;
 pub mod planes;
 mod sift;
 mod simd;
@@ -29,7 +33,7 @@ pub use wide::Wide;
 
 use crate::geometry::{Hit, Intersection, Shape, Shear};
 use crate::math::{DVec3, Interval, Ray};
-use crate::probe::{Event, Probe, Silent, Verdict};
+use crate::probe::{Event, Probe, Verdict};
 
 /// Which accelerator to build.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -242,38 +246,6 @@ impl Accel {
             Self::Grid(grid) => grid.search::<true, P>(&query, probe),
             Self::Boxes(boxes) => boxes.search::<true, P>(&query, probe),
             Self::Wide(wide) => wide.any(&query, probe),
-        }
-    }
-
-    /// Whether asking for many rays at once is quicker than one by one.
-    pub fn gains_from_bundles(&self) -> bool {
-        matches!(self, Self::Wide(_))
-    }
-
-    /// The closest hits of many rays, each inside its own interval: what [`Accel::closest`] says of each. Rays that
-    /// start close to each other and go the same way should stand next to each other; that is what makes it fast.
-    /// Answers as many as both slices have room for.
-    pub fn closest_many(
-        &self,
-        shapes: &[Shape],
-        rays: &[(Ray, Interval)],
-        out: &mut [Option<Hit>],
-    ) {
-        if let Self::Wide(wide) = self {
-            return wide.closest_many(shapes, rays, out);
-        }
-        for ((ray, interval), out) in rays.iter().zip(out) {
-            *out = self.closest(shapes, ray, *interval, &mut Silent);
-        }
-    }
-
-    /// Whether each of many rays hits anything inside its interval, as [`Accel::any`] says; in the same order.
-    pub fn any_many(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
-        if let Self::Wide(wide) = self {
-            return wide.any_many(shapes, rays, out);
-        }
-        for ((ray, interval), out) in rays.iter().zip(out) {
-            *out = self.any(shapes, ray, *interval, &mut Silent).is_some();
         }
     }
 }

@@ -12,9 +12,9 @@ mod part;
 
 use rayon::join;
 
+use super::local::Frame;
 use super::planes::{MAX_DEPTH, MAX_REACH, MAX_REFERENCES, Node, Planes, Tree};
 use super::sift::sift;
-use super::wide::local::Frame;
 use crate::geometry::Shape;
 use events::{Best, Event, sweep};
 use part::{Clip, part};

@@ -9,8 +9,8 @@
 
 mod traverse;
 
+use super::local::Frame;
 use super::sift::Sifted;
-use super::wide::local::Frame;
 use super::{AccelStats, NodeView};
 use crate::math::DVec3;
 

@@ -1,7 +1,7 @@
 //! A tree of boxes, eight to a node, for speed: single precision proposes, double precision decides.
 //!
 //! The boxes are in single precision and are tested eight at once, or against sixteen rays at once. They are only
-//! asked what may be left out, and answer within a proven bound (see `local`). What is left is tested in double
+//! asked what may be left out, and answer within a proven bound (see [`super::local`]). What is left is tested in double
 //! precision with the operations of the shapes' own tests, so the answers are those of the list, bit for bit.
 //!
 //! Source: Ernst and Greiner 2008, "Multi bounding volume hierarchies"; Wald, Benthin and Boulos 2008, "Getting rid
@@ -10,18 +10,14 @@
 //! Meister and Bittner 2018, "Parallel locally-ordered clustering".
 
 mod build;
-mod filter;
-mod lanes;
-pub(super) mod local;
 mod packet;
-pub(super) mod single;
+mod single;
 
+use super::local::Frame;
 use super::simd::Isa;
 use super::{AccelStats, NodeView, Query};
 use crate::geometry::{Hit, Shape};
-use crate::math::{Interval, Ray};
-use crate::probe::{NONE, Probe, Silent};
-use local::Frame;
+use crate::probe::{NONE, Probe};
 
 /// Boxes in a node.
 const WIDTH: usize = 8;
@@ -93,36 +89,6 @@ impl Wide {
     /// The first hit that turns up.
     pub fn any<P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
         single::search::<true, P>(self, query, probe)
-    }
-
-    /// The closest hits of many rays.
-    pub fn closest_many(
-        &self,
-        shapes: &[Shape],
-        rays: &[(Ray, Interval)],
-        out: &mut [Option<Hit>],
-    ) {
-        for (rays, out) in rays.chunks(packet::RAYS).zip(out.chunks_mut(packet::RAYS)) {
-            if packet::closest(self, shapes, rays, out) {
-                continue;
-            }
-            for ((ray, interval), out) in rays.iter().zip(out) {
-                *out = self.closest(&Query::new(shapes, ray, *interval), &mut Silent);
-            }
-        }
-    }
-
-    /// Whether each of many rays hits anything.
-    pub fn any_many(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
-        for (rays, out) in rays.chunks(packet::RAYS).zip(out.chunks_mut(packet::RAYS)) {
-            if packet::any(self, shapes, rays, out) {
-                continue;
-            }
-            for ((ray, interval), out) in rays.iter().zip(out) {
-                let query = Query::new(shapes, ray, *interval);
-                *out = self.any(&query, &mut Silent).is_some();
-            }
-        }
     }
 
     /// A node as a reader sees it; the blocks are numbered after the nodes. `None` if there is none of that number.

@@ -2,7 +2,7 @@
 
 use super::events::{Best, Event};
 use super::{Bounds, Cell, Item};
-use crate::accel::wide::local::Frame;
+use crate::accel::local::Frame;
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 

@@ -3,9 +3,8 @@
 use super::{LEAF, MAX_DEPTH, Node, Planes};
 use crate::accel::Query;
 use crate::accel::bsp::traverse::ended;
+use crate::accel::local::{Local, Plan, larger, smaller};
 use crate::accel::simd::{Level, Task};
-use crate::accel::wide::local::{Local, Plan};
-use crate::accel::wide::single::{larger, smaller};
 use crate::geometry::Hit;
 use crate::math::Interval;
 use crate::probe::{Choice, Event, Probe, Visit};

@@ -8,8 +8,8 @@ use obvhs::aabb::Aabb as Box32;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 
-use super::local::{Frame, round_up};
 use super::{BLOCK, Block, DEEP, LEAF, Node, WIDTH, Wide};
+use crate::accel::local::{Frame, round_up};
 use crate::accel::sift::{Sifted, sift};
 use crate::accel::simd::Isa;
 use crate::geometry::Shape;

@@ -1,118 +1,50 @@
-//! Sixteen rays through the tree together: rays that start close to each other and go the same way meet the same
-//! boxes and triangles.
+//! Sixteen rays through the tree together.
 //!
 //! A node's eight boxes are first tested against all rays at once, by interval arithmetic; then each box that is left
 //! against each ray. Source: Boulos, Wald and Shirley 2006, "Geometric and arithmetic culling methods for entire ray
 //! packets"; Wald, Boulos and Shirley 2007, "Ray tracing deformable scenes using dynamic bounding volume
 //! hierarchies".
-//!
-//! A triangle is tested in single precision first (see `filter`). One that a ray may hit is put off: most rays meet
-//! only one on their whole way, and at the end all rays decide in double precision together. One that is surely hit
-//! already hides what lies behind it.
 
 // Plain loops are what becomes vector instructions.
 #![allow(clippy::needless_range_loop)]
 
-use super::filter::{depth_doubt, depth_inside, doubt};
-use super::single::{larger, smaller};
 use super::{BLOCK, Block, DEEP, Node, WIDTH, Wide};
-use crate::accel::Query;
-use crate::accel::simd::{Level, Task};
-use crate::geometry::{Hit, Shape};
-use crate::math::{Interval, Ray};
-use crate::probe::{NONE, Silent};
+use crate::accel::filter::doubt;
+use crate::accel::local::{Frame, larger, smaller};
+use crate::accel::packet::{Follow, Hits, RAYS, Rays, each, folded};
+use crate::accel::simd::{Isa, Level};
 
-mod decide;
-mod rays;
-
-use decide::{LANES, Pairs};
-pub use rays::RAYS;
-use rays::{Rays, Row, folded};
-
-/// The closest hits of at most [`RAYS`] rays; false, and nothing done, if they do not go together.
-#[inline]
-pub fn closest(
-    wide: &Wide,
-    shapes: &[Shape],
-    rays: &[(Ray, Interval)],
-    out: &mut [Option<Hit>],
-) -> bool {
-    let best = &mut out[..rays.len().min(RAYS)];
-    let asked = Asked {
-        wide,
-        shapes,
-        rays,
-        best,
-    };
-    wide.isa.run(Together::<false>(asked)).is_some()
-}
-
-/// Whether each of at most [`RAYS`] rays hits anything; false, and nothing done, if they do not go together.
-#[inline]
-pub fn any(wide: &Wide, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) -> bool {
-    let best = &mut [None; RAYS][..rays.len().min(RAYS)];
-    let asked = Asked {
-        wide,
-        shapes,
-        rays,
-        best,
-    };
-    let Some(found) = wide.isa.run(Together::<true>(asked)) else {
-        return false;
-    };
-    for (i, out) in out.iter_mut().enumerate().take(rays.len()) {
-        *out = found >> i & 1 == 1;
-    }
-    true
-}
-
-/// Rays that may go together, and room for their hits.
-struct Asked<'a> {
+/// Sixteen rays on their way through the tree.
+struct Packet<'a, 'b> {
     wide: &'a Wide,
-    shapes: &'a [Shape],
-    rays: &'a [(Ray, Interval)],
-    best: &'a mut [Option<Hit>],
+    rays: &'a mut Rays,
+    hits: &'a mut Hits<'b>,
+    all: Bounds,
 }
 
-struct Together<'a, const ANY: bool>(Asked<'a>);
+impl Follow for Wide {
+    fn frame(&self) -> Option<&Frame> {
+        (!self.nodes.is_empty()).then_some(&self.frame)
+    }
 
-impl<const ANY: bool> Task for Together<'_, ANY> {
-    /// The mask of rays that surely hit, if any hit will do.
-    type Output = Option<u32>;
+    fn outside(&self) -> &[u32] {
+        &self.outside
+    }
+
+    fn isa(&self) -> Isa {
+        self.isa
+    }
 
     #[inline(always)]
-    fn run<L: Level>(self, level: L) -> Option<u32> {
-        let Self(asked) = self;
-        if asked.wide.nodes.is_empty() {
-            return None;
-        }
-        let rays = Rays::new(level, &asked.wide.frame, asked.rays)?;
-        asked.best.fill(None);
+    fn follow<const ANY: bool, L: Level>(&self, level: L, rays: &mut Rays, hits: &mut Hits) {
         let mut packet = Packet {
-            all: Bounds::new(&rays),
+            wide: self,
+            all: Bounds::new(rays),
             rays,
-            pending: [NONE; RAYS],
-            nearest: [0.0; RAYS],
-            found: 0,
-            asked,
+            hits,
         };
-        packet.test_outside::<ANY>();
         packet.follow::<ANY, L>(level);
-        packet.decide(level);
-        Some(packet.found)
     }
-}
-
-/// Sixteen rays, each of their numbers side by side.
-struct Packet<'a> {
-    asked: Asked<'a>,
-    rays: Rays,
-    all: Bounds,
-    /// Which triangle each ray has put off, or [`NONE`], and where it is hit at the nearest, as t'.
-    pending: Row<u32>,
-    nearest: Row<f32>,
-    /// The mask of rays that hit something, if any hit will do.
-    found: u32,
 }
 
 /// Bounds for all rays of a packet.
@@ -127,36 +59,7 @@ struct Bounds {
     max: f32,
 }
 
-impl Packet<'_> {
-    /// Tests what is outside the tree.
-    #[inline(always)]
-    fn test_outside<const ANY: bool>(&mut self) {
-        let Asked { wide, rays, .. } = self.asked;
-        for &primitive in &wide.outside {
-            for i in 0..rays.len().min(RAYS) {
-                self.test::<ANY>(i, primitive);
-            }
-        }
-        self.shorten();
-    }
-
-    /// Tests one primitive against one ray, whatever it is.
-    #[inline(never)]
-    fn test<const ANY: bool>(&mut self, lane: usize, primitive: u32) {
-        let Asked { shapes, rays, .. } = self.asked;
-        let (ray, interval) = &rays[lane];
-        let best = &mut self.asked.best[lane];
-        Query::new(shapes, ray, *interval).test(primitive, best, &mut Silent);
-        if let Some(hit) = best {
-            if ANY {
-                self.found |= 1 << lane;
-                self.rays.max[lane] = -1.0;
-            } else {
-                self.rays.end(lane, hit.t);
-            }
-        }
-    }
-
+impl Packet<'_, '_> {
     /// Brings the end of all to the last end of one.
     #[inline(always)]
     fn shorten(&mut self) {
@@ -167,7 +70,7 @@ impl Packet<'_> {
     fn follow<const ANY: bool, L: Level>(&mut self, level: L) {
         // Children that wait, the nearest on top: where the first ray enters at the earliest, and the place of the
         // child in all nodes.
-        let wide = self.asked.wide;
+        let wide = self.wide;
         let mut stack = [0u64; DEEP];
         let mut waiting = 0;
         let mut id = 0;
@@ -252,130 +155,19 @@ impl Packet<'_> {
         for (lane, &primitive) in block.primitives().iter().enumerate() {
             if block.others >> lane & 1 == 1 {
                 for i in each(met) {
-                    self.test::<ANY>(i, primitive);
+                    self.hits.test::<ANY>(self.rays, i, primitive);
                 }
                 shorter = true;
             } else {
                 let axes = self.rays.axes;
                 let corners = axes.map(|axis| block.corners[axis].map(|row| row[lane]));
-                shorter |= self.meet_triangle::<ANY, L>(level, corners, doubt, primitive, met);
+                shorter |= self
+                    .hits
+                    .meet_triangle::<ANY, L>(level, self.rays, corners, doubt, primitive, met);
             }
         }
         shorter
     }
-
-    /// Tests a triangle against the rays of the mask `met`; true if a ray became shorter. The coordinates come in the
-    /// order of the view, of each those of all corners.
-    #[inline(always)]
-    fn meet_triangle<const ANY: bool, L: Level>(
-        &mut self,
-        level: L,
-        corners: [[f32; 3]; 3],
-        doubt: f32,
-        primitive: u32,
-        met: u32,
-    ) -> bool {
-        let Rays { axes, origin, .. } = &self.rays;
-        let o = axes.map(|axis| &origin[axis]);
-        let slope = &self.rays.slope;
-        let depth =
-            depth_inside::<RAYS>(|c, k, _| corners[k][c], |k, i| o[k][i], |k, i| slope[k][i]);
-        let mut may = level.le16(&[-doubt; RAYS], &depth) & met;
-        if may == 0 {
-            return false;
-        }
-        // The corners' depths: where the triangle begins and ends on each ray.
-        let z = corners[2];
-        let (low, high) = (
-            smaller(smaller(z[0], z[1]), z[2]),
-            larger(larger(z[0], z[1]), z[2]),
-        );
-        let (first, last) = if self.rays.backwards[axes[2]] == 1 {
-            (high, low)
-        } else {
-            (low, high)
-        };
-        let (mut nearest, mut farthest) = ([0.0; RAYS], [0.0; RAYS]);
-        let (rate, error) = (&self.rays.inverse[axes[2]], depth_doubt(self.rays.pad));
-        for i in 0..RAYS {
-            nearest[i] = (first - o[2][i]) * rate[i] - error;
-            farthest[i] = (last - o[2][i]) * rate[i] + error;
-        }
-        may &= level.le16(&nearest, &self.rays.max);
-        let surely = level.le16(&[doubt; RAYS], &depth)
-            & level.le16(&self.rays.min, &nearest)
-            & level.le16(&farthest, &self.rays.max)
-            & may;
-        if ANY {
-            for i in each(may & !surely) {
-                self.test::<ANY>(i, primitive);
-            }
-            self.found |= surely;
-            for i in each(surely) {
-                self.rays.max[i] = -1.0;
-            }
-            return may != 0;
-        }
-        // Behind what was put off: the double test of that comes now, unless this one surely hides it.
-        for i in each(may) {
-            let hides = surely >> i & 1 == 1 && farthest[i] < self.nearest[i];
-            if self.pending[i] != NONE && !hides {
-                self.test::<ANY>(i, self.pending[i]);
-            }
-            self.pending[i] = primitive;
-            self.nearest[i] = nearest[i];
-        }
-        for i in each(surely) {
-            self.rays.max[i] = smaller(self.rays.max[i], farthest[i]);
-        }
-        surely != 0
-    }
-
-    /// The double test of all that was put off.
-    #[inline(always)]
-    fn decide<L: Level>(&mut self, level: L) {
-        let Asked { shapes, rays, .. } = self.asked;
-        for half in 0..RAYS / LANES {
-            let mut pairs = Pairs::NONE;
-            let mut open = 0;
-            for lane in 0..LANES {
-                let (i, primitive) = (half * LANES + lane, self.pending[half * LANES + lane]);
-                if primitive == NONE {
-                    continue;
-                }
-                if let Shape::Triangle(triangle) = &shapes[primitive as usize] {
-                    open |= 1 << lane;
-                    pairs.set(lane, &rays[i], triangle);
-                }
-            }
-            if open == 0 {
-                continue;
-            }
-            let found = pairs.decide(level);
-            for lane in each(found.hits & open) {
-                let i = half * LANES + lane;
-                let hit = found.hit(lane, self.pending[i]);
-                let best = &mut self.asked.best[i];
-                if best.is_none_or(|b| (hit.t, hit.primitive) < (b.t, b.primitive)) {
-                    *best = Some(hit);
-                }
-            }
-            for lane in each(found.rare & open) {
-                let i = half * LANES + lane;
-                self.test::<false>(i, self.pending[i]);
-            }
-        }
-    }
-}
-
-/// The places of the bits of a mask.
-#[inline(always)]
-fn each(mut mask: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let place = (mask != 0).then(|| mask.trailing_zeros() as usize);
-        mask &= mask.wrapping_sub(1);
-        place
-    })
 }
 
 impl Bounds {

@@ -1,9 +1,9 @@
 //! One ray through the tree, the nearest boxes first.
 
-use super::filter::{depth_inside, doubt};
-use super::local::{Local, Plan};
 use super::{BLOCK, Block, DEEP, LEAF, Node, WIDTH, Wide};
 use crate::accel::Query;
+use crate::accel::filter::{depth_inside, doubt};
+use crate::accel::local::{Local, Plan, larger, smaller};
 use crate::accel::simd::{Level, Task};
 use crate::geometry::Hit;
 use crate::probe::{Choice, Event, NONE, Probe, Visit};
@@ -269,16 +269,4 @@ fn step(node: u32, interval: [f64; 2], choice: Choice, [near, far]: [u32; 2]) ->
         far,
         choice,
     })
-}
-
-/// The larger one; one instruction, since nothing here is NaN.
-#[inline(always)]
-pub fn larger(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
-}
-
-/// The smaller one.
-#[inline(always)]
-pub fn smaller(a: f32, b: f32) -> f32 {
-    if a < b { a } else { b }
 }

@@ -1,9 +1,10 @@
 //! Every instruction set, one ray or many: the bits of the list.
 
 use super::*;
-use crate::accel::List;
+use crate::accel::{Accel, List, packet};
 use crate::geometry::Triangle;
-use crate::math::DVec3;
+use crate::math::{DVec3, Interval, Ray};
+use crate::probe::Silent;
 
 /// Random numbers in [-1, 1) that are the same in every run.
 struct Random(u64);
@@ -86,8 +87,9 @@ fn every_instruction_set_answers_as_the_list_does() {
     for isa in Isa::all() {
         wide.isa = isa;
         let (mut closest, mut any) = (vec![None; rays.len()], vec![false; rays.len()]);
-        wide.closest_many(&shapes, &rays, &mut closest);
-        wide.any_many(&shapes, &rays, &mut any);
+        let together = Accel::Wide(wide.clone());
+        together.closest_many(&shapes, &rays, &mut closest);
+        together.any_many(&shapes, &rays, &mut any);
         for (i, (ray, interval)) in rays.iter().enumerate() {
             let query = Query::new(&shapes, ray, *interval);
             let hit = bits(wide.closest(&query, &mut Silent));

@@ -197,3 +197,15 @@ pub fn round_down(x: f64) -> f32 {
 pub fn round_up(x: f64) -> f32 {
     (x as f32).next_up()
 }
+
+/// The larger one; one instruction, since nothing here is NaN.
+#[inline(always)]
+pub fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// The smaller one.
+#[inline(always)]
+pub fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}

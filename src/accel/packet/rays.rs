@@ -3,9 +3,8 @@
 // Plain loops are what becomes vector instructions.
 #![allow(clippy::needless_range_loop)]
 
+use crate::accel::local::{FAR, FLATTEST, Frame, Plan, U, larger, round_up, smaller};
 use crate::accel::simd::Level;
-use crate::accel::wide::local::{FAR, FLATTEST, Frame, Plan, U, round_up};
-use crate::accel::wide::single::{larger, smaller};
 use crate::math::{Interval, Ray};
 
 /// Rays in a packet.

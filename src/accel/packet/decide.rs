@@ -1,8 +1,8 @@
 //! The double-precision test of eight rays, each against a triangle of its own: the operations of
 //! [`crate::geometry::Triangle`] in the same order.
 
+use crate::accel::lanes;
 use crate::accel::simd::Level;
-use crate::accel::wide::lanes;
 use crate::geometry::triangle::CANCELLED;
 use crate::geometry::{Hit, Shear, Triangle};
 use crate::math::{Interval, Ray};

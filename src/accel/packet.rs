@@ -1,0 +1,157 @@
+//! Sixteen rays through a tree together: rays that start close to each other and go the same way meet the same nodes
+//! and the same shapes, so each of these is fetched once and tested against all with the same instructions.
+//!
+//! Source: Wald, Slusallek, Benthin and Wagner 2001, "Interactive rendering with coherent ray tracing".
+//!
+//! A tree only says how it is followed ([`Follow`]). The rays ([`Rays`]) and what they hit ([`Hits`]) are the same for
+//! all trees. Rays that do not go together are followed one by one; the answers are the same.
+
+mod decide;
+mod hits;
+mod rays;
+
+pub use hits::{Hits, each};
+pub use rays::{RAYS, Rays, folded};
+
+use super::Accel;
+use super::local::Frame;
+use super::simd::{Isa, Level, Task};
+use crate::geometry::{Hit, Shape};
+use crate::math::{Interval, Ray};
+use crate::probe::Silent;
+
+/// A tree that can be followed by many rays at once.
+pub trait Follow {
+    /// The space that the tree is in; `None` if it is not followed together.
+    fn frame(&self) -> Option<&Frame>;
+
+    /// What is outside the tree and tested first.
+    fn outside(&self) -> &[u32];
+
+    /// The instructions to follow it with.
+    fn isa(&self) -> Isa;
+
+    /// Brings all shapes to `hits` that rays may hit before they end, the nearest first as far as the tree knows.
+    fn follow<const ANY: bool, L: Level>(&self, level: L, rays: &mut Rays, hits: &mut Hits);
+}
+
+impl Accel {
+    /// Whether asking for many rays at once is quicker than one by one.
+    pub fn gains_from_bundles(&self) -> bool {
+        matches!(self, Self::Wide(_))
+    }
+
+    /// The closest hits of many rays, each inside its own interval: what [`Accel::closest`] says of each. Rays that
+    /// start close to each other and go the same way should stand next to each other; that is what makes it fast.
+    /// Answers as many as both slices have room for.
+    pub fn closest_many(
+        &self,
+        shapes: &[Shape],
+        rays: &[(Ray, Interval)],
+        out: &mut [Option<Hit>],
+    ) {
+        for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
+            let together = match self {
+                Self::Wide(wide) => closest(wide, shapes, rays, out),
+                _ => false,
+            };
+            if together {
+                continue;
+            }
+            for ((ray, interval), out) in rays.iter().zip(out) {
+                *out = self.closest(shapes, ray, *interval, &mut Silent);
+            }
+        }
+    }
+
+    /// Whether each of many rays hits anything inside its interval, as [`Accel::any`] says; in the same order.
+    pub fn any_many(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
+        for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
+            let together = match self {
+                Self::Wide(wide) => any(wide, shapes, rays, out),
+                _ => false,
+            };
+            if together {
+                continue;
+            }
+            for ((ray, interval), out) in rays.iter().zip(out) {
+                *out = self.any(shapes, ray, *interval, &mut Silent).is_some();
+            }
+        }
+    }
+}
+
+/// The closest hits of at most [`RAYS`] rays; false, and nothing done, if they do not go together.
+#[inline]
+pub fn closest<T: Follow>(
+    tree: &T,
+    shapes: &[Shape],
+    rays: &[(Ray, Interval)],
+    out: &mut [Option<Hit>],
+) -> bool {
+    let best = &mut out[..rays.len().min(RAYS)];
+    together::<false, T>(tree, shapes, rays, best).is_some()
+}
+
+/// Whether each of at most [`RAYS`] rays hits anything; false, and nothing done, if they do not go together.
+#[inline]
+pub fn any<T: Follow>(
+    tree: &T,
+    shapes: &[Shape],
+    rays: &[(Ray, Interval)],
+    out: &mut [bool],
+) -> bool {
+    let best = &mut [None; RAYS][..rays.len().min(RAYS)];
+    let Some(found) = together::<true, T>(tree, shapes, rays, best) else {
+        return false;
+    };
+    for (i, out) in out.iter_mut().enumerate().take(rays.len()) {
+        *out = found >> i & 1 == 1;
+    }
+    true
+}
+
+/// The mask of rays that hit something, if any hit will do; else their hits are in `best`.
+#[inline]
+fn together<const ANY: bool, T: Follow>(
+    tree: &T,
+    shapes: &[Shape],
+    rays: &[(Ray, Interval)],
+    best: &mut [Option<Hit>],
+) -> Option<u32> {
+    let frame = tree.frame()?;
+    tree.isa().run(Together::<ANY, T> {
+        tree,
+        frame,
+        shapes,
+        rays,
+        best,
+    })
+}
+
+struct Together<'a, const ANY: bool, T> {
+    tree: &'a T,
+    frame: &'a Frame,
+    shapes: &'a [Shape],
+    rays: &'a [(Ray, Interval)],
+    best: &'a mut [Option<Hit>],
+}
+
+impl<const ANY: bool, T: Follow> Task for Together<'_, ANY, T> {
+    type Output = Option<u32>;
+
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) -> Option<u32> {
+        let mut rays = Rays::new(level, self.frame, self.rays)?;
+        self.best.fill(None);
+        let mut hits = Hits::new(self.shapes, self.rays, self.best);
+        for &primitive in self.tree.outside() {
+            for i in 0..self.rays.len().min(RAYS) {
+                hits.test::<ANY>(&mut rays, i, primitive);
+            }
+        }
+        self.tree.follow::<ANY, L>(level, &mut rays, &mut hits);
+        hits.decide(level, &mut rays);
+        Some(hits.found)
+    }
+}

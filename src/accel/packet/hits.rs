@@ -1,0 +1,179 @@
+//! What the rays of a packet hit.
+//!
+//! A triangle is tested in single precision first (see [`crate::accel::filter`]). One that a ray may hit is put off:
+//! most rays meet only one on their whole way, and at the end all rays decide in double precision together. One that is
+//! surely hit already hides what lies behind it.
+
+// Plain loops are what becomes vector instructions.
+#![allow(clippy::needless_range_loop)]
+
+use super::decide::{LANES, Pairs};
+use super::rays::{RAYS, Rays, Row};
+use crate::accel::Query;
+use crate::accel::filter::{depth_doubt, depth_inside};
+use crate::accel::local::{larger, smaller};
+use crate::accel::simd::Level;
+use crate::geometry::{Hit, Shape};
+use crate::math::{Interval, Ray};
+use crate::probe::{NONE, Silent};
+
+/// What was asked, and what is known of the answers.
+pub struct Hits<'a> {
+    shapes: &'a [Shape],
+    asked: &'a [(Ray, Interval)],
+    /// What double precision has decided.
+    best: &'a mut [Option<Hit>],
+    /// Which triangle each ray has put off, or [`NONE`], and where it is hit at the nearest, as t'.
+    pending: Row<u32>,
+    nearest: Row<f32>,
+    /// The mask of rays that hit something, if any hit will do.
+    pub found: u32,
+}
+
+impl<'a> Hits<'a> {
+    /// Nothing is hit yet.
+    #[inline(always)]
+    pub fn new(
+        shapes: &'a [Shape],
+        asked: &'a [(Ray, Interval)],
+        best: &'a mut [Option<Hit>],
+    ) -> Self {
+        Self {
+            shapes,
+            asked,
+            best,
+            pending: [NONE; RAYS],
+            nearest: [0.0; RAYS],
+            found: 0,
+        }
+    }
+
+    /// Tests one primitive against one ray, whatever it is.
+    #[inline(never)]
+    pub fn test<const ANY: bool>(&mut self, rays: &mut Rays, lane: usize, primitive: u32) {
+        let (ray, interval) = &self.asked[lane];
+        let best = &mut self.best[lane];
+        Query::new(self.shapes, ray, *interval).test(primitive, best, &mut Silent);
+        if let Some(hit) = best {
+            if ANY {
+                self.found |= 1 << lane;
+                rays.max[lane] = -1.0;
+            } else {
+                rays.end(lane, hit.t);
+            }
+        }
+    }
+
+    /// Tests a triangle against the rays of the mask `met`; true if a ray became shorter. The coordinates come in the
+    /// order of the view, of each those of all corners.
+    #[inline(always)]
+    pub fn meet_triangle<const ANY: bool, L: Level>(
+        &mut self,
+        level: L,
+        rays: &mut Rays,
+        corners: [[f32; 3]; 3],
+        doubt: f32,
+        primitive: u32,
+        met: u32,
+    ) -> bool {
+        let Rays { axes, origin, .. } = &*rays;
+        let o = axes.map(|axis| &origin[axis]);
+        let slope = &rays.slope;
+        let depth =
+            depth_inside::<RAYS>(|c, k, _| corners[k][c], |k, i| o[k][i], |k, i| slope[k][i]);
+        let mut may = level.le16(&[-doubt; RAYS], &depth) & met;
+        if may == 0 {
+            return false;
+        }
+        // The corners' depths: where the triangle begins and ends on each ray.
+        let z = corners[2];
+        let (low, high) = (
+            smaller(smaller(z[0], z[1]), z[2]),
+            larger(larger(z[0], z[1]), z[2]),
+        );
+        let (first, last) = if rays.backwards[axes[2]] == 1 {
+            (high, low)
+        } else {
+            (low, high)
+        };
+        let (mut nearest, mut farthest) = ([0.0; RAYS], [0.0; RAYS]);
+        let (rate, error) = (&rays.inverse[axes[2]], depth_doubt(rays.pad));
+        for i in 0..RAYS {
+            nearest[i] = (first - o[2][i]) * rate[i] - error;
+            farthest[i] = (last - o[2][i]) * rate[i] + error;
+        }
+        may &= level.le16(&nearest, &rays.max);
+        let surely = level.le16(&[doubt; RAYS], &depth)
+            & level.le16(&rays.min, &nearest)
+            & level.le16(&farthest, &rays.max)
+            & may;
+        if ANY {
+            for i in each(may & !surely) {
+                self.test::<ANY>(rays, i, primitive);
+            }
+            self.found |= surely;
+            for i in each(surely) {
+                rays.max[i] = -1.0;
+            }
+            return may != 0;
+        }
+        // Behind what was put off: the double test of that comes now, unless this one surely hides it.
+        for i in each(may) {
+            let hides = surely >> i & 1 == 1 && farthest[i] < self.nearest[i];
+            if self.pending[i] != NONE && !hides {
+                self.test::<ANY>(rays, i, self.pending[i]);
+            }
+            self.pending[i] = primitive;
+            self.nearest[i] = nearest[i];
+        }
+        for i in each(surely) {
+            rays.max[i] = smaller(rays.max[i], farthest[i]);
+        }
+        surely != 0
+    }
+
+    /// The double test of all that was put off.
+    #[inline(always)]
+    pub fn decide<L: Level>(&mut self, level: L, rays: &mut Rays) {
+        for half in 0..RAYS / LANES {
+            let mut pairs = Pairs::NONE;
+            let mut open = 0;
+            for lane in 0..LANES {
+                let (i, primitive) = (half * LANES + lane, self.pending[half * LANES + lane]);
+                if primitive == NONE {
+                    continue;
+                }
+                if let Shape::Triangle(triangle) = &self.shapes[primitive as usize] {
+                    open |= 1 << lane;
+                    pairs.set(lane, &self.asked[i], triangle);
+                }
+            }
+            if open == 0 {
+                continue;
+            }
+            let found = pairs.decide(level);
+            for lane in each(found.hits & open) {
+                let i = half * LANES + lane;
+                let hit = found.hit(lane, self.pending[i]);
+                let best = &mut self.best[i];
+                if best.is_none_or(|b| (hit.t, hit.primitive) < (b.t, b.primitive)) {
+                    *best = Some(hit);
+                }
+            }
+            for lane in each(found.rare & open) {
+                let i = half * LANES + lane;
+                self.test::<false>(rays, i, self.pending[i]);
+            }
+        }
+    }
+}
+
+/// The places of the bits of a mask.
+#[inline(always)]
+pub fn each(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let place = (mask != 0).then(|| mask.trailing_zeros() as usize);
+        mask &= mask.wrapping_sub(1);
+        place
+    })
+}
