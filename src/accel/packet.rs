@@ -22,6 +22,9 @@ use crate::probe::Silent;
 
 /// A tree that can be followed by many rays at once.
 pub trait Follow {
+    /// Room for what waits on the way; made once for many packets, since clearing it takes as long as a box or two.
+    type Waiting: Default;
+
     /// The space that the tree is in; `None` if it is not followed together.
     fn frame(&self) -> Option<&Frame>;
 
@@ -32,7 +35,13 @@ pub trait Follow {
     fn isa(&self) -> Isa;
 
     /// Brings all shapes to `hits` that rays may hit before they end, the nearest first as far as the tree knows.
-    fn follow<const ANY: bool, L: Level>(&self, level: L, rays: &mut Rays, hits: &mut Hits);
+    fn follow<const ANY: bool, L: Level>(
+        &self,
+        level: L,
+        rays: &mut Rays,
+        hits: &mut Hits,
+        waiting: &mut Self::Waiting,
+    );
 }
 
 impl Accel {
@@ -50,74 +59,79 @@ impl Accel {
         rays: &[(Ray, Interval)],
         out: &mut [Option<Hit>],
     ) {
-        for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
-            let together = match self {
-                Self::Wide(wide) => closest(wide, shapes, rays, out),
-                _ => false,
-            };
-            if together {
-                continue;
-            }
-            for ((ray, interval), out) in rays.iter().zip(out) {
-                *out = self.closest(shapes, ray, *interval, &mut Silent);
-            }
+        match self {
+            Self::Wide(wide) => self.closest_together(wide, shapes, rays, out),
+            _ => self.closest_each(shapes, rays, out),
         }
     }
 
     /// Whether each of many rays hits anything inside its interval, as [`Accel::any`] says; in the same order.
     pub fn any_many(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
+        match self {
+            Self::Wide(wide) => self.any_together(wide, shapes, rays, out),
+            _ => self.any_each(shapes, rays, out),
+        }
+    }
+
+    fn closest_each(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [Option<Hit>]) {
+        for ((ray, interval), out) in rays.iter().zip(out) {
+            *out = self.closest(shapes, ray, *interval, &mut Silent);
+        }
+    }
+
+    fn any_each(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
+        for ((ray, interval), out) in rays.iter().zip(out) {
+            *out = self.any(shapes, ray, *interval, &mut Silent).is_some();
+        }
+    }
+
+    fn closest_together<T: Follow>(
+        &self,
+        tree: &T,
+        shapes: &[Shape],
+        rays: &[(Ray, Interval)],
+        out: &mut [Option<Hit>],
+    ) {
+        let waiting = &mut T::Waiting::default();
         for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
-            let together = match self {
-                Self::Wide(wide) => any(wide, shapes, rays, out),
-                _ => false,
-            };
-            if together {
-                continue;
+            let rays = &rays[..rays.len().min(out.len())];
+            if together::<false, T>(tree, shapes, rays, out, waiting).is_none() {
+                self.closest_each(shapes, rays, out);
             }
-            for ((ray, interval), out) in rays.iter().zip(out) {
-                *out = self.any(shapes, ray, *interval, &mut Silent).is_some();
+        }
+    }
+
+    fn any_together<T: Follow>(
+        &self,
+        tree: &T,
+        shapes: &[Shape],
+        rays: &[(Ray, Interval)],
+        out: &mut [bool],
+    ) {
+        let (waiting, best) = (&mut T::Waiting::default(), &mut [None; RAYS]);
+        for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
+            let rays = &rays[..rays.len().min(out.len())];
+            match together::<true, T>(tree, shapes, rays, best, waiting) {
+                Some(found) => {
+                    for (i, out) in out.iter_mut().enumerate() {
+                        *out = found >> i & 1 == 1;
+                    }
+                }
+                None => self.any_each(shapes, rays, out),
             }
         }
     }
 }
 
-/// The closest hits of at most [`RAYS`] rays; false, and nothing done, if they do not go together.
-#[inline]
-pub fn closest<T: Follow>(
-    tree: &T,
-    shapes: &[Shape],
-    rays: &[(Ray, Interval)],
-    out: &mut [Option<Hit>],
-) -> bool {
-    let best = &mut out[..rays.len().min(RAYS)];
-    together::<false, T>(tree, shapes, rays, best).is_some()
-}
-
-/// Whether each of at most [`RAYS`] rays hits anything; false, and nothing done, if they do not go together.
-#[inline]
-pub fn any<T: Follow>(
-    tree: &T,
-    shapes: &[Shape],
-    rays: &[(Ray, Interval)],
-    out: &mut [bool],
-) -> bool {
-    let best = &mut [None; RAYS][..rays.len().min(RAYS)];
-    let Some(found) = together::<true, T>(tree, shapes, rays, best) else {
-        return false;
-    };
-    for (i, out) in out.iter_mut().enumerate().take(rays.len()) {
-        *out = found >> i & 1 == 1;
-    }
-    true
-}
-
-/// The mask of rays that hit something, if any hit will do; else their hits are in `best`.
+/// The mask of rays that hit something, if any hit will do; else their hits are in `best`. `None`, and nothing done, if
+/// the rays do not go together.
 #[inline]
 fn together<const ANY: bool, T: Follow>(
     tree: &T,
     shapes: &[Shape],
     rays: &[(Ray, Interval)],
     best: &mut [Option<Hit>],
+    waiting: &mut T::Waiting,
 ) -> Option<u32> {
     let frame = tree.frame()?;
     tree.isa().run(Together::<ANY, T> {
@@ -126,15 +140,17 @@ fn together<const ANY: bool, T: Follow>(
         shapes,
         rays,
         best,
+        waiting,
     })
 }
 
-struct Together<'a, const ANY: bool, T> {
+struct Together<'a, const ANY: bool, T: Follow> {
     tree: &'a T,
     frame: &'a Frame,
     shapes: &'a [Shape],
     rays: &'a [(Ray, Interval)],
     best: &'a mut [Option<Hit>],
+    waiting: &'a mut T::Waiting,
 }
 
 impl<const ANY: bool, T: Follow> Task for Together<'_, ANY, T> {
@@ -150,7 +166,8 @@ impl<const ANY: bool, T: Follow> Task for Together<'_, ANY, T> {
                 hits.test::<ANY>(&mut rays, i, primitive);
             }
         }
-        self.tree.follow::<ANY, L>(level, &mut rays, &mut hits);
+        self.tree
+            .follow::<ANY, L>(level, &mut rays, &mut hits, self.waiting);
         hits.decide(level, &mut rays);
         Some(hits.found)
     }

@@ -223,23 +223,34 @@ mod x86 {
 
         #[inline(always)]
         fn positive8(self, a: &[f64; 8]) -> u32 {
-            let positive4 = |a: &[f64; 4]| unsafe {
-                let a = _mm256_loadu_pd(a.as_ptr());
-                let holds = _mm256_cmp_pd::<_CMP_GE_OQ>(a, _mm256_setzero_pd());
-                _mm256_movemask_pd(holds).cast_unsigned()
-            };
             let a = a.as_chunks::<4>().0;
-            positive4(&a[0]) | positive4(&a[1]) << 4
+            self.positive4(&a[0]) | self.positive4(&a[1]) << 4
         }
 
         #[inline(always)]
         fn less8(self, a: &[f64; 8], b: &[f64; 8]) -> u32 {
-            let less4 = |a: &[f64; 4], b: &[f64; 4]| unsafe {
+            let (a, b) = (a.as_chunks::<4>().0, b.as_chunks::<4>().0);
+            self.less4(&a[0], &b[0]) | self.less4(&a[1], &b[1]) << 4
+        }
+    }
+
+    // Methods, not closures: a closure is compiled without the instructions first, and then not inlined.
+    impl Avx2 {
+        #[inline(always)]
+        fn positive4(self, a: &[f64; 4]) -> u32 {
+            unsafe {
+                let a = _mm256_loadu_pd(a.as_ptr());
+                let holds = _mm256_cmp_pd::<_CMP_GE_OQ>(a, _mm256_setzero_pd());
+                _mm256_movemask_pd(holds).cast_unsigned()
+            }
+        }
+
+        #[inline(always)]
+        fn less4(self, a: &[f64; 4], b: &[f64; 4]) -> u32 {
+            unsafe {
                 let (a, b) = (_mm256_loadu_pd(a.as_ptr()), _mm256_loadu_pd(b.as_ptr()));
                 _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b)).cast_unsigned()
-            };
-            let (a, b) = (a.as_chunks::<4>().0, b.as_chunks::<4>().0);
-            less4(&a[0], &b[0]) | less4(&a[1], &b[1]) << 4
+            }
         }
     }
 

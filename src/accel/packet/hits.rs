@@ -7,7 +7,7 @@
 // Plain loops are what becomes vector instructions.
 #![allow(clippy::needless_range_loop)]
 
-use super::decide::{LANES, Pairs};
+use super::decide::{LANES, Pair, decide};
 use super::rays::{RAYS, Rays, Row};
 use crate::accel::Query;
 use crate::accel::filter::{depth_doubt, depth_inside};
@@ -23,7 +23,8 @@ pub struct Hits<'a> {
     asked: &'a [(Ray, Interval)],
     /// What double precision has decided.
     best: &'a mut [Option<Hit>],
-    /// Which triangle each ray has put off, or [`NONE`], and where it is hit at the nearest, as t'.
+    /// The mask of rays that have put off a triangle; which it is, and where it is hit at the nearest, as t'.
+    waiting: u32,
     pending: Row<u32>,
     nearest: Row<f32>,
     /// The mask of rays that hit something, if any hit will do.
@@ -42,6 +43,7 @@ impl<'a> Hits<'a> {
             shapes,
             asked,
             best,
+            waiting: 0,
             pending: [NONE; RAYS],
             nearest: [0.0; RAYS],
             found: 0,
@@ -76,8 +78,8 @@ impl<'a> Hits<'a> {
         primitive: u32,
         met: u32,
     ) -> bool {
-        let Rays { axes, origin, .. } = &*rays;
-        let o = axes.map(|axis| &origin[axis]);
+        let [x, y, z] = rays.axes;
+        let o = [&rays.origin[x], &rays.origin[y], &rays.origin[z]];
         let slope = &rays.slope;
         let depth =
             depth_inside::<RAYS>(|c, k, _| corners[k][c], |k, i| o[k][i], |k, i| slope[k][i]);
@@ -86,18 +88,15 @@ impl<'a> Hits<'a> {
             return false;
         }
         // The corners' depths: where the triangle begins and ends on each ray.
-        let z = corners[2];
-        let (low, high) = (
-            smaller(smaller(z[0], z[1]), z[2]),
-            larger(larger(z[0], z[1]), z[2]),
-        );
-        let (first, last) = if rays.backwards[axes[2]] == 1 {
+        let [a, b, c] = corners[2];
+        let (low, high) = (smaller(smaller(a, b), c), larger(larger(a, b), c));
+        let (first, last) = if rays.backwards[z] == 1 {
             (high, low)
         } else {
             (low, high)
         };
         let (mut nearest, mut farthest) = ([0.0; RAYS], [0.0; RAYS]);
-        let (rate, error) = (&rays.inverse[axes[2]], depth_doubt(rays.pad));
+        let (rate, error) = (&rays.inverse[z], depth_doubt(rays.pad));
         for i in 0..RAYS {
             nearest[i] = (first - o[2][i]) * rate[i] - error;
             farthest[i] = (last - o[2][i]) * rate[i] + error;
@@ -112,59 +111,70 @@ impl<'a> Hits<'a> {
                 self.test::<ANY>(rays, i, primitive);
             }
             self.found |= surely;
-            for i in each(surely) {
-                rays.max[i] = -1.0;
-            }
+            set(&mut rays.max, surely, &[-1.0; RAYS]);
             return may != 0;
         }
         // Behind what was put off: the double test of that comes now, unless this one surely hides it.
-        for i in each(may) {
-            let hides = surely >> i & 1 == 1 && farthest[i] < self.nearest[i];
-            if self.pending[i] != NONE && !hides {
-                self.test::<ANY>(rays, i, self.pending[i]);
-            }
-            self.pending[i] = primitive;
-            self.nearest[i] = nearest[i];
+        let hidden = surely & !level.le16(&self.nearest, &farthest);
+        for i in each(may & self.waiting & !hidden) {
+            self.test::<ANY>(rays, i, self.pending[i]);
         }
-        for i in each(surely) {
-            rays.max[i] = smaller(rays.max[i], farthest[i]);
-        }
+        self.waiting |= may;
+        set(&mut self.pending, may, &[primitive; RAYS]);
+        set(&mut self.nearest, may, &nearest);
+        set(&mut rays.max, surely, &farthest);
         surely != 0
     }
 
     /// The double test of all that was put off.
     #[inline(always)]
     pub fn decide<L: Level>(&mut self, level: L, rays: &mut Rays) {
-        for half in 0..RAYS / LANES {
-            let mut pairs = Pairs::NONE;
-            let mut open = 0;
-            for lane in 0..LANES {
-                let (i, primitive) = (half * LANES + lane, self.pending[half * LANES + lane]);
-                if primitive == NONE {
-                    continue;
-                }
-                if let Shape::Triangle(triangle) = &self.shapes[primitive as usize] {
-                    open |= 1 << lane;
-                    pairs.set(lane, &self.asked[i], triangle);
-                }
+        while self.waiting != 0 {
+            // Where there is no more, the first stands again.
+            let mut lanes = [self.waiting.trailing_zeros() as usize; LANES];
+            let mut count = 0;
+            while self.waiting != 0 && count < LANES {
+                lanes[count] = self.waiting.trailing_zeros() as usize;
+                self.waiting &= self.waiting - 1;
+                count += 1;
             }
-            if open == 0 {
+            let Some(first) = self.pair(lanes[0]) else {
                 continue;
+            };
+            let mut pairs = [first; LANES];
+            for i in 1..LANES {
+                pairs[i] = self.pair(lanes[i]).unwrap_or(first);
             }
-            let found = pairs.decide(level);
-            for lane in each(found.hits & open) {
-                let i = half * LANES + lane;
-                let hit = found.hit(lane, self.pending[i]);
+            let (found, open) = (decide(level, &pairs), (1 << count) - 1);
+            for at in each(found.hits & open) {
+                let i = lanes[at];
+                let hit = found.hit(at, self.pending[i]);
                 let best = &mut self.best[i];
                 if best.is_none_or(|b| (hit.t, hit.primitive) < (b.t, b.primitive)) {
                     *best = Some(hit);
                 }
             }
-            for lane in each(found.rare & open) {
-                let i = half * LANES + lane;
-                self.test::<false>(rays, i, self.pending[i]);
+            for at in each(found.rare & open) {
+                self.test::<false>(rays, lanes[at], self.pending[lanes[at]]);
             }
         }
+    }
+
+    /// A ray and the triangle that it has put off.
+    #[inline(always)]
+    fn pair(&self, i: usize) -> Option<Pair<'a>> {
+        match &self.shapes[self.pending[i] as usize] {
+            Shape::Triangle(triangle) => Some((&self.asked[i], triangle)),
+            _ => None,
+        }
+    }
+}
+
+/// Sets the numbers of a mask.
+#[inline(always)]
+fn set<T: Copy>(row: &mut Row<T>, mask: u32, to: &Row<T>) {
+    for i in 0..RAYS {
+        row[i] = if mask >> i & 1 == 1 { to[i] } else { row[i] };
     }
 }
 

@@ -66,15 +66,12 @@ impl Rays {
         let center = frame.center.to_array();
         let (mut plain, mut pads) = ([0.0; RAYS], [0.0; RAYS]);
         let mut local = [[0.0; RAYS]; 3];
-        let max = |a: f64, b: f64| if a > b { a } else { b };
-        let min = |a: f64, b: f64| if a < b { a } else { b };
         for i in 0..RAYS {
             for k in 0..3 {
                 local[k][i] = (o[k][i] - center[k]) * frame.scale;
             }
-            let most = |v: &[Row<f64>; 3]| max(max(v[0][i].abs(), v[1][i].abs()), v[2][i].abs());
-            let (longest, reach) = (most(&d), most(&local));
-            pads[i] = frame.slack.within(most(&o)) * frame.scale + 16.0 * U * (1.0 + reach);
+            let (longest, reach) = (most(&d, i), most(&local, i));
+            pads[i] = frame.slack.within(most(&o, i)) * frame.scale + 16.0 * U * (1.0 + reach);
             // Negative where the ray is not an ordinary one; NaN where a number is none.
             let sum = d[0][i] + d[1][i] + d[2][i] + o[0][i] + o[1][i] + o[2][i];
             let direction = min(1.0 - longest, longest - 0.5);
@@ -85,8 +82,9 @@ impl Rays {
             pads[i] = if plain[i] >= 0.0 { pads[i] } else { 0.0 };
         }
         let (plain, starts, ends) = (halves(&plain), halves(&start), halves(&end));
-        let ordinary = |h: usize| level.positive8(&plain[h]) & level.less8(&starts[h], &ends[h]);
-        let odd = !(ordinary(0) | ordinary(1) << 8) & ALL;
+        let first = level.positive8(&plain[0]) & level.less8(&starts[0], &ends[0]);
+        let second = level.positive8(&plain[1]) & level.less8(&starts[1], &ends[1]);
+        let odd = !(first | second << 8) & ALL;
 
         let mut out = Self {
             origin: [[0.0; RAYS]; 3],
@@ -184,23 +182,24 @@ impl Rays {
             };
         }
         // The axis along which the first ray goes fastest; the others do nearly so.
-        let [x, y, z] = [0, 1, 2].map(|k| self.inverse[k][0].abs());
+        let [x, y, z] = &self.inverse;
+        let (x, y, z) = (x[0].abs(), y[0].abs(), z[0].abs());
         let z = if x < y && x < z {
             0
         } else {
             1 + usize::from(z <= y)
         };
         self.axes = [(z + 1) % 3, (z + 2) % 3, z];
-        let steepest = [STEEPEST; RAYS];
-        (0..2).all(|k| {
+        let mut steepest = [0.0; RAYS];
+        for k in 0..2 {
             let along = &self.inverse[self.axes[k]];
-            let mut steep = [0.0; RAYS];
             for i in 0..RAYS {
-                self.slope[k][i] = self.inverse[z][i] / along[i];
-                steep[i] = self.slope[k][i].abs();
+                let slope = self.inverse[z][i] / along[i];
+                self.slope[k][i] = slope;
+                steepest[i] = larger(steepest[i], slope.abs());
             }
-            level.le16(&steep, &steepest) == ALL
-        })
+        }
+        level.le16(&steepest, &[STEEPEST; RAYS]) == ALL
     }
 
     /// Ends a ray at a hit at t.
@@ -212,6 +211,22 @@ impl Rays {
         ));
         self.max[lane] = smaller(self.max[lane], end);
     }
+}
+
+#[inline(always)]
+fn max(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+#[inline(always)]
+fn min(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The largest coordinate of vector i.
+#[inline(always)]
+fn most(v: &[Row<f64>; 3], i: usize) -> f64 {
+    max(max(v[0][i].abs(), v[1][i].abs()), v[2][i].abs())
 }
 
 /// A number that is less than x before it was rounded twice.

@@ -20,9 +20,23 @@ struct Packet<'a, 'b> {
     rays: &'a mut Rays,
     hits: &'a mut Hits<'b>,
     all: Bounds,
+    /// Children that wait, the nearest on top: where the first ray enters at the earliest, and the place of the child in
+    /// all nodes.
+    stack: &'a mut [u64; DEEP],
+}
+
+/// Room for the children that wait.
+pub struct Waiting([u64; DEEP]);
+
+impl Default for Waiting {
+    fn default() -> Self {
+        Self([0; DEEP])
+    }
 }
 
 impl Follow for Wide {
+    type Waiting = Waiting;
+
     fn frame(&self) -> Option<&Frame> {
         (!self.nodes.is_empty()).then_some(&self.frame)
     }
@@ -36,12 +50,19 @@ impl Follow for Wide {
     }
 
     #[inline(always)]
-    fn follow<const ANY: bool, L: Level>(&self, level: L, rays: &mut Rays, hits: &mut Hits) {
+    fn follow<const ANY: bool, L: Level>(
+        &self,
+        level: L,
+        rays: &mut Rays,
+        hits: &mut Hits,
+        waiting: &mut Waiting,
+    ) {
         let mut packet = Packet {
             wide: self,
             all: Bounds::new(rays),
             rays,
             hits,
+            stack: &mut waiting.0,
         };
         packet.follow::<ANY, L>(level);
     }
@@ -68,10 +89,7 @@ impl Packet<'_, '_> {
 
     #[inline(always)]
     fn follow<const ANY: bool, L: Level>(&mut self, level: L) {
-        // Children that wait, the nearest on top: where the first ray enters at the earliest, and the place of the
-        // child in all nodes.
         let wide = self.wide;
-        let mut stack = [0u64; DEEP];
         let mut waiting = 0;
         let mut id = 0;
         loop {
@@ -85,11 +103,11 @@ impl Packet<'_, '_> {
                 let key = u64::from(near[child as usize].to_bits()) << 32
                     | (u64::from(id) * WIDTH as u64 + u64::from(child));
                 let mut place = waiting;
-                while place > first && stack[place - 1] < key {
-                    stack[place] = stack[place - 1];
+                while place > first && self.stack[place - 1] < key {
+                    self.stack[place] = self.stack[place - 1];
                     place -= 1;
                 }
-                stack[place] = key;
+                self.stack[place] = key;
                 waiting += 1;
             }
             id = loop {
@@ -97,20 +115,21 @@ impl Packet<'_, '_> {
                     return;
                 }
                 waiting -= 1;
-                let enter = f32::from_bits((stack[waiting] >> 32) as u32);
+                let enter = f32::from_bits((self.stack[waiting] >> 32) as u32);
                 // As for one ray: a hit at the very entry does not count.
                 if enter > self.all.max {
                     continue;
                 }
-                let place = stack[waiting] as u32 as usize;
+                let place = self.stack[waiting] as u32 as usize;
                 let (node, slot) = (&wide.nodes[place / WIDTH], place % WIDTH);
+                let child = node.children[slot];
+                // Rays that go together seldom miss a box that their bounds meet; the next node's bounds tell.
+                if child & BLOCK == 0 {
+                    break child;
+                }
                 let met = self.cross(level, node, slot);
                 if met == 0 {
                     continue;
-                }
-                let child = node.children[slot];
-                if child & BLOCK == 0 {
-                    break child;
                 }
                 let block = &wide.blocks[(child & !BLOCK) as usize];
                 if self.meet::<ANY, L>(level, block, met) {
@@ -135,8 +154,11 @@ impl Packet<'_, '_> {
             backwards,
             ..
         } = &self.rays;
-        let n: [f32; 3] = std::array::from_fn(|k| node.planes[2 * k + backwards[k]][slot]);
-        let f: [f32; 3] = std::array::from_fn(|k| node.planes[2 * k + 1 - backwards[k]][slot]);
+        let (mut n, mut f) = ([0.0; 3], [0.0; 3]);
+        for k in 0..3 {
+            n[k] = node.planes[2 * k + backwards[k]][slot];
+            f[k] = node.planes[2 * k + 1 - backwards[k]][slot];
+        }
         let (mut enter, mut leave) = ([0.0; RAYS], [0.0; RAYS]);
         for i in 0..RAYS {
             let t = |k: usize| level.multiply_subtract(n[k], inv[k][i], near[k][i]);
@@ -159,8 +181,11 @@ impl Packet<'_, '_> {
                 }
                 shorter = true;
             } else {
-                let axes = self.rays.axes;
-                let corners = axes.map(|axis| block.corners[axis].map(|row| row[lane]));
+                let mut corners = [[0.0; 3]; 3];
+                for k in 0..3 {
+                    let [a, b, c] = &block.corners[self.rays.axes[k]];
+                    corners[k] = [a[lane], b[lane], c[lane]];
+                }
                 shorter |= self
                     .hits
                     .meet_triangle::<ANY, L>(level, self.rays, corners, doubt, primitive, met);
@@ -176,12 +201,14 @@ impl Bounds {
         let mut out = Self {
             near: [0.0; 3],
             far: [0.0; 3],
-            least: rays.inverse.map(|row| folded(row, smaller)),
-            greatest: rays.inverse.map(|row| folded(row, larger)),
+            least: [0.0; 3],
+            greatest: [0.0; 3],
             min: folded(rays.min, smaller),
             max: folded(rays.max, larger),
         };
         for k in 0..3 {
+            out.least[k] = folded(rays.inverse[k], smaller);
+            out.greatest[k] = folded(rays.inverse[k], larger);
             let low = folded(rays.origin[k], smaller) - rays.pad;
             let high = folded(rays.origin[k], larger) + rays.pad;
             (out.near[k], out.far[k]) = if rays.backwards[k] == 1 {
