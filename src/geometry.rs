@@ -117,6 +117,11 @@ pub struct Placed {
     pub transform: Transform,
 }
 
+/// Whether a ray goes into a solid at `t`, which is one of the two places where it crosses it.
+fn enters_solid([enter, exit]: [f64; 2], t: f64) -> Option<bool> {
+    (enter < exit).then_some(t < exit)
+}
+
 impl Shape {
     /// Where `ray` first crosses the shape inside `interval`. `shear` is [`Shear::new`] of the same ray.
     #[inline]
@@ -132,6 +137,37 @@ impl Shape {
                 placed.shape.intersect(&ray, &Shear::new(&ray), interval)
             }
             Self::Naive(naive) => naive.intersect(ray, shear, interval),
+        }
+    }
+
+    /// Where `ray` crosses the shape at `t`, as found by [`Shape::intersect`]: true if it goes in there, false if it comes
+    /// out, `None` if it only touches a solid. Decided by what decided that it is crossed, not by the normal, which is
+    /// rounded: so a ray comes out of a closed mesh as often as it goes in.
+    pub fn enters(&self, ray: &Ray, shear: &Shear, t: f64) -> Option<bool> {
+        match self {
+            Self::Triangle(triangle) => Some(triangle.edges(shear).front),
+            Self::Sphere(sphere) => enters_solid(sphere.span(ray)?, t),
+            Self::Cuboid(cuboid) => enters_solid(cuboid.span(ray)?, t),
+            Self::Plane(plane) => Some(plane.normal().dot(ray.direction) < 0.0),
+            Self::Disc(disc) => Some(disc.frame.w.dot(ray.direction) < 0.0),
+            Self::Placed(placed) => {
+                let ray = placed.transform.ray_to_object(ray);
+                placed.shape.enters(&ray, &Shear::new(&ray), t)
+            }
+            Self::Naive(naive) => {
+                let normal = naive.surface(ray, t, [1.0, 0.0, 0.0]).normal;
+                Some(normal.dot(ray.direction) < 0.0)
+            }
+        }
+    }
+
+    /// True if the shape bounds a part of space by itself.
+    pub fn is_solid(&self) -> bool {
+        match self {
+            Self::Sphere(_) | Self::Cuboid(_) => true,
+            Self::Triangle(_) | Self::Plane(_) | Self::Disc(_) => false,
+            Self::Placed(placed) => placed.shape.is_solid(),
+            Self::Naive(naive) => naive.shape.is_solid(),
         }
     }
 

@@ -19,17 +19,23 @@ struct Slab {
 }
 
 impl Cuboid {
-    /// The first crossing inside the interval: the ray is in the box while it is in all three slabs, so it enters
-    /// with the last slab and leaves with the first. Source: Kay and Kajiya 1986.
+    /// The first crossing inside the interval.
+    #[inline]
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
+        match self.span(ray) {
+            Some([enter, exit]) => Intersection::first_of(enter, exit, interval),
+            None => Intersection::Miss,
+        }
+    }
+
+    /// The two crossings of the ray's line: it is in the box while it is in all three slabs, so it enters with the last
+    /// slab and leaves with the first. `None` if it misses. Source: Kay and Kajiya 1986.
+    #[inline]
+    pub fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
         let slabs = [0, 1, 2].map(|axis| self.slab(ray, axis));
         let enter = slabs[0].near.max(slabs[1].near).max(slabs[2].near);
         let exit = slabs[0].far.min(slabs[1].far).min(slabs[2].far);
-        if enter <= exit {
-            Intersection::first_of(enter, exit, interval)
-        } else {
-            Intersection::Miss
-        }
+        (enter <= exit).then_some([enter, exit])
     }
 
     /// The slab of one axis. A ray along it is inside for ever or never; the division would give 0/0 on its face.

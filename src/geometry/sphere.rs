@@ -19,12 +19,22 @@ pub struct Sphere {
 
 impl Sphere {
     /// The first crossing inside the interval.
+    #[inline]
+    pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
+        match self.span(ray) {
+            Some([t0, t1]) => Intersection::first_of(t0, t1, interval),
+            None => Intersection::Miss,
+        }
+    }
+
+    /// The two crossings of the ray's line, in order; `None` if it misses.
     ///
     /// With f = o - c, the crossings solve a t^2 - 2 b t + c = 0, where a = d.d, b = -f.d, c = f.f - r^2. The school
     /// formula subtracts nearly equal numbers twice: in b^2 - a c when the sphere is small and far, and in b - root
     /// when the origin is near the surface. Both are avoided here.
     /// Source: Haines, Guenther and Akenine-Moeller 2019, "Precision improvements for ray/sphere intersection".
-    pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
+    #[inline]
+    pub fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
         let f = ray.origin - self.center;
         let a = ray.direction.length_squared();
         let b = -f.dot(ray.direction);
@@ -32,14 +42,14 @@ impl Sphere {
         let l = f + (b / a) * ray.direction;
         let discriminant = a * (self.radius * self.radius - l.length_squared());
         if discriminant < 0.0 {
-            return Intersection::Miss;
+            return None;
         }
         // q has no cancellation: b and the root are added with equal signs. Then the roots are c / q and q / a.
         let q = b + discriminant.sqrt().copysign(b);
         let distance = f.length();
         let c = (distance - self.radius) * (distance + self.radius);
         let (t0, t1) = (c / q, q / a);
-        Intersection::first_of(t0.min(t1), t0.max(t1), interval)
+        Some([t0.min(t1), t0.max(t1)])
     }
 
     /// The point at `t`, pulled back onto the sphere. It is then within gamma_5 of its distance from the centre (PBR

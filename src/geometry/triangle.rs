@@ -77,6 +77,8 @@ pub struct Edges {
     depths: [f64; 3],
     /// True if the ray passes all three edges on the same side.
     pub inside: bool,
+    /// If it does: true if it comes from where the corners run counter-clockwise. As exact as the sides are.
+    pub front: bool,
 }
 
 impl Triangle {
@@ -97,6 +99,7 @@ impl Triangle {
             functions,
             depths: [a.z, b.z, c.z],
             inside,
+            front: edges[0].1,
         }
     }
 
@@ -107,6 +110,7 @@ impl Triangle {
             functions: [u, v, w],
             depths,
             inside,
+            ..
         } = self.edges(shear);
         let area = u + v + w;
         if !inside || area == 0.0 {
