@@ -128,6 +128,13 @@ pub enum Event {
         /// What is added.
         value: Rgb,
     },
+    /// An I, R or T ray goes straight through a surface: the medium behind it is the one before it.
+    Passed {
+        /// The surface.
+        hit: Hit,
+        /// The object whose medium it is.
+        medium: u32,
+    },
     /// The surface bounds a medium: how it shares light between R and T.
     Boundary {
         /// Index of refraction on the side of the ray.

@@ -20,7 +20,9 @@ mod obj;
 mod resolve;
 pub mod settings;
 mod sketch;
+mod solids;
 mod spd;
+mod world;
 
 pub use camera::Camera;
 pub use effects::{Effect, Effects};
@@ -29,15 +31,12 @@ pub use flags::flags;
 pub use generated::list as generated;
 pub use load::{list, load};
 pub use settings::{Sampling, Settings};
+pub use world::World;
 
-use crate::accel::{Accel, AccelKind};
 use crate::geometry::{Arithmetic, Hit, Shape};
-use crate::math::{DVec2, DVec3, Interval, Ray, Rgb};
-use crate::probe::{NONE, Probe, Silent};
-use crate::shading::{Interaction, Light, Material, Media, Side};
-
-/// How many surfaces the search for the eye's own medium crosses at most.
-const MAX_CROSSINGS: usize = 256;
+use crate::math::{DVec2, DVec3, Ray, Rgb};
+use crate::probe::NONE;
+use crate::shading::{Interaction, Light, Material};
 
 /// The index of refraction of the medium around everything.
 pub const AIR_IOR: f64 = 1.0;
@@ -108,6 +107,13 @@ impl Scene {
         &self.materials[self.object_of(primitive).material as usize]
     }
 
+    /// The shapes of an object.
+    pub fn shapes_of(&self, object: u32) -> &[Shape] {
+        let first = |o: usize| self.objects.get(o).map(|o| o.first_primitive as usize);
+        let end = first(object as usize + 1).unwrap_or(self.shapes.len());
+        &self.shapes[first(object as usize).unwrap_or(end)..end]
+    }
+
     /// The number of a primitive within its object, from 0.
     pub fn local_index(&self, primitive: u32) -> u32 {
         primitive - self.object_of(primitive).first_primitive
@@ -123,6 +129,12 @@ impl Scene {
     pub fn medium_ior(&self, object: u32) -> f64 {
         self.medium_object(object)
             .map_or(AIR_IOR, |o| self.materials[o.material as usize].ior)
+    }
+
+    /// The priority of what is inside an object; that of the air is the lowest.
+    pub fn medium_priority(&self, object: u32) -> i32 {
+        self.medium_object(object)
+            .map_or(i32::MIN, |o| self.materials[o.material as usize].priority)
     }
 
     fn medium_object(&self, object: u32) -> Option<&Object> {
@@ -167,67 +179,5 @@ impl VertexData {
         let [a, b, c] = *self.uv_indices.get(triangle)?;
         let p = |i: u32| self.uvs[i as usize];
         Some(u * p(a) + v * p(b) + w * p(c))
-    }
-}
-
-/// A scene and the acceleration structure over it: what can be traced.
-#[derive(Clone, Debug)]
-pub struct World {
-    /// The scene.
-    pub scene: Scene,
-    /// The structure over its shapes.
-    pub accel: Accel,
-    /// The transparent objects that the eye is inside of.
-    pub eye_media: Media,
-}
-
-impl World {
-    /// Builds the acceleration structure.
-    pub fn new(scene: Scene, kind: AccelKind) -> Self {
-        let accel = Accel::build(kind, &scene.shapes);
-        let eye_media = Media::AIR;
-        let mut world = Self {
-            scene,
-            accel,
-            eye_media,
-        };
-        world.eye_media = world.media_around_eye();
-        world
-    }
-
-    /// What the eye is inside of: follow a straight line from it to the end of the scene; every transparent object
-    /// that is left without having been entered is one. Outermost first, so those left last are put in first.
-    fn media_around_eye(&self) -> Media {
-        let direction = -self.scene.camera.frame.w;
-        let mut ray = Ray::new(self.scene.camera.eye, direction);
-        let (mut inside, mut left) = (Media::AIR, Vec::new());
-        for _ in 0..MAX_CROSSINGS {
-            let Some(hit) = self.closest(&ray, &mut Silent) else {
-                break;
-            };
-            let at = self.scene.interaction(&ray, &hit);
-            let object = self.scene.owners[hit.primitive as usize];
-            if self.scene.material_of(hit.primitive).is_transmissive() {
-                match at.side {
-                    Side::Front => inside = inside.entered(object),
-                    Side::Back if inside.left(object) == inside => left.push(object),
-                    Side::Back => inside = inside.left(object),
-                }
-            }
-            ray.origin = at.origin_towards(direction);
-        }
-        left.into_iter().rev().fold(Media::AIR, Media::entered)
-    }
-
-    /// The closest hit of a ray.
-    pub fn closest<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Hit> {
-        let interval = Interval::FORWARD;
-        self.accel.closest(&self.scene.shapes, ray, interval, probe)
-    }
-
-    /// Something that stands on the ray before `distance`.
-    pub fn blocker<P: Probe>(&self, ray: &Ray, distance: f64, probe: &mut P) -> Option<Hit> {
-        let interval = Interval::before(distance);
-        self.accel.any(&self.scene.shapes, ray, interval, probe)
     }
 }

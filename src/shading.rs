@@ -12,5 +12,5 @@ pub use area::Area;
 pub use interaction::{Interaction, Side};
 pub use light::{Illumination, Light, Source};
 pub use material::{Checker, Material};
-pub use medium::Media;
+pub use medium::{Crossing, Entered};
 pub use optics::Fresnel;

@@ -122,6 +122,7 @@ impl Render {
             light,
             reflected,
             transmitted,
+            passed,
             nodes,
             tests,
             hits,
@@ -130,14 +131,20 @@ impl Render {
             let stats = serde_json::json!({
                 "image": { "width": settings.width, "height": settings.height },
                 "accel": settings.accel.name(),
-                "rays": { "I": incident, "L": light, "R": reflected, "T": transmitted },
+                "rays": { "I": incident, "L": light, "R": reflected, "T": transmitted, "passed": passed },
                 "nodes": nodes, "tests": tests, "hits": hits, "seconds": seconds,
             });
             return output::to_stdout(format!("{stats:#}\n").as_bytes());
         }
         let rays = counts.rays();
         let per_ray = |n: u64| n as f64 / rays.max(1) as f64;
-        eprintln!("rays    {rays} (I {incident}, L {light}, R {reflected}, T {transmitted})");
+        let straight_on = match passed {
+            0 => String::new(),
+            n => format!(", {n} straight on"),
+        };
+        eprintln!(
+            "rays    {rays} (I {incident}, L {light}, R {reflected}, T {transmitted}{straight_on})"
+        );
         eprintln!("nodes   {nodes} ({:.1} a ray)", per_ray(nodes));
         eprintln!("tests   {tests} ({:.1} a ray, {hits} hits)", per_ray(tests));
         eprintln!(

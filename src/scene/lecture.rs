@@ -95,6 +95,7 @@ fn plain(name: &str, color: Rgb) -> Material {
         mirror: Rgb::BLACK,
         transmission: Rgb::BLACK,
         ior: 1.0,
+        priority: 0,
         emission: Rgb::BLACK,
         checker: None,
     }

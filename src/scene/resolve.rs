@@ -189,6 +189,7 @@ fn material(name: &str, file: &MaterialFile, place: &Place) -> Result<Material, 
         mirror: share(file.mirror, "mirror")?,
         transmission: share(file.transmission, "transmission")?,
         ior: number(file.ior, IOR, &place.key("ior"))?,
+        priority: file.priority,
         emission: factor(file.emission, "emission")?,
         checker,
     })

@@ -153,6 +153,7 @@ impl Spd {
             mirror: color * surface.mirror,
             transmission: color * surface.transmission,
             ior: surface.ior,
+            priority: 0,
             emission: Rgb::BLACK,
             checker: None,
         })

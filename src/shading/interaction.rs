@@ -59,6 +59,20 @@ impl Interaction {
         }
     }
 
+    /// How far off the computed point the true surface may lie, along its normal.
+    pub fn reach(&self) -> f64 {
+        self.geometric_normal.abs().dot(self.error)
+    }
+
+    /// The same place with an error that reaches at least this far along the normal.
+    #[must_use]
+    pub fn with_reach(mut self, reach: f64) -> Self {
+        let more = (reach - self.reach()).max(0.0);
+        // n is unit, so |n|.(more |n|) = more.
+        self.error += more * self.geometric_normal.abs();
+        self
+    }
+
     /// The origin of a ray that leaves along `direction`: clear of the surface, on the side that it goes to.
     pub fn origin_towards(&self, direction: DVec3) -> DVec3 {
         offset_origin(self.point, self.error, self.geometric_normal, direction)

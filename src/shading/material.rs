@@ -22,6 +22,8 @@ pub struct Material {
     pub transmission: Rgb,
     /// The index of refraction of what is inside.
     pub ior: f64,
+    /// Where objects overlap, the inside is that of the highest priority.
+    pub priority: i32,
     /// Radiance that the surface sends out by itself.
     pub emission: Rgb,
     /// A second diffuse colour in the squares of a chessboard.

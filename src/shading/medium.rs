@@ -1,34 +1,75 @@
-//! Which medium a ray travels in.
+//! Which medium a ray travels in, where transparent objects are nested, overlap or touch.
+//!
+//! Two rules. *A ray is inside of what it leaves, further on, more often than it enters it.* So what it is inside of is
+//! read off the very crossings that it is going to meet; nothing is carried from ray to ray that rounding could bring out
+//! of step. *Where objects overlap, the medium is that of the highest priority; of equal ones, that which is left first,
+//! the innermost.* Source of the second: Schmidt and Budge 2002, "Simple nested dielectrics in ray traced images".
+//!
+//! A surface that bounds no part of space, as a square for a pool's, cannot be read off in this way: a ray is inside
+//! because it came in through the front. Only these are kept in mind, in [`Entered`].
 
+use std::collections::BTreeMap;
+
+use crate::geometry::Hit;
 use crate::probe::NONE;
 
-/// How many objects may be nested in each other before the outermost is forgotten.
+/// How many open objects may be nested in each other before the outermost is forgotten.
 pub const NESTING: usize = 16;
 
-/// The transparent objects that a ray is inside of, outermost first, by object index. Plain data, so that the
+/// A place where a ray crosses a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// The place.
+    pub hit: Hit,
+    /// The object whose surface it is.
+    pub object: u32,
+    /// True if the ray goes into the object, false if it comes out; `None` if the object is opaque, or only touched.
+    pub enters: Option<bool>,
+}
+
+/// The object in whose medium a ray travels that is going to meet the crossings `ahead`, in order, and came into the open
+/// objects `entered`; [`NONE`] for air. `priority` tells that of an object.
+pub fn medium(entered: &Entered, ahead: &[Crossing], priority: impl Fn(u32) -> i32) -> u32 {
+    let mut best = NONE;
+    let mut inside = |object: u32| {
+        if best == NONE || priority(object) > priority(best) {
+            best = object;
+        }
+    };
+    // How often each object was entered and not yet left again.
+    let mut depths: BTreeMap<u32, usize> = BTreeMap::new();
+    for crossing in ahead {
+        let object = crossing.object;
+        match (crossing.enters, depths.get_mut(&object)) {
+            (Some(true), _) => *depths.entry(object).or_default() += 1,
+            (Some(false), Some(depth @ 1..)) => *depth -= 1,
+            (Some(false), _) => inside(object),
+            (None, _) => {}
+        }
+    }
+    // Those that it never comes out of, from the innermost.
+    entered.innermost_first().for_each(inside);
+    best
+}
+
+/// The open objects that a ray came into by the front and did not leave, outermost first, by index. Plain data, so that the
 /// reflected and the transmitted ray each carry their own copy without allocation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Media {
+pub struct Entered {
     objects: [u32; NESTING],
     depth: usize,
 }
 
-impl Media {
-    /// Inside nothing: the scene's air.
-    pub const AIR: Self = Self {
+impl Entered {
+    /// None.
+    pub const NOTHING: Self = Self {
         objects: [NONE; NESTING],
         depth: 0,
     };
 
-    /// The innermost object, or [`NONE`] for air.
-    pub fn current(&self) -> u32 {
-        self.depth.checked_sub(1).map_or(NONE, |i| self.objects[i])
-    }
-
-    /// The media after the ray went into `object`.
+    /// The objects after the ray went into `object`.
     #[must_use]
-    #[inline]
-    pub fn entered(mut self, object: u32) -> Self {
+    pub fn and(mut self, object: u32) -> Self {
         if self.depth == NESTING {
             self.objects.rotate_left(1);
             self.depth -= 1;
@@ -38,20 +79,21 @@ impl Media {
         self
     }
 
-    /// The media after the ray came out of `object`: its innermost entry goes, wherever it stands, so that objects
-    /// that overlap are left in any order. Nothing changes if the ray was not inside.
+    /// The objects after the ray came out of `object`: its innermost entry goes, wherever it stands, so that objects that
+    /// overlap are left in any order. Nothing changes if the ray was not inside.
     #[must_use]
-    #[inline]
-    pub fn left(mut self, object: u32) -> Self {
-        if let Some(i) = self.objects[..self.depth]
-            .iter()
-            .rposition(|&o| o == object)
-        {
+    pub fn without(mut self, object: u32) -> Self {
+        let inside = &self.objects[..self.depth];
+        if let Some(i) = inside.iter().rposition(|&o| o == object) {
             self.objects.copy_within(i + 1..self.depth, i);
             self.depth -= 1;
             self.objects[self.depth] = NONE;
         }
         self
+    }
+
+    fn innermost_first(&self) -> impl Iterator<Item = u32> {
+        self.objects[..self.depth].iter().rev().copied()
     }
 }
 
@@ -59,20 +101,59 @@ impl Media {
 mod tests {
     use super::*;
 
-    #[test]
-    fn what_is_entered_can_be_left_in_any_order() {
-        let inside = Media::AIR.entered(7).entered(3).entered(5);
-        assert_eq!(inside.current(), 5);
-        assert_eq!(inside.left(3).current(), 5);
-        assert_eq!(inside.left(3).left(5).current(), 7);
-        assert_eq!(inside.left(5).left(3).left(7), Media::AIR);
-        assert_eq!(inside.left(9), inside);
+    /// The medium of a ray that goes into `+` and comes out of `-` these objects; those from 5 on have priority 1.
+    fn before(entered: &[u32], way: &[(char, u32)]) -> u32 {
+        let ahead: Vec<Crossing> = way
+            .iter()
+            .map(|&(sign, object)| Crossing {
+                hit: Hit {
+                    t: 1.0,
+                    primitive: 0,
+                    barycentric: [0.0; 3],
+                },
+                object,
+                enters: Some(sign == '+'),
+            })
+            .collect();
+        let entered = entered
+            .iter()
+            .fold(Entered::NOTHING, |open, &object| open.and(object));
+        medium(&entered, &ahead, |object| i32::from(object >= 5))
     }
 
     #[test]
-    fn nesting_without_end_is_bounded() {
-        let deep = (0..100).fold(Media::AIR, Media::entered);
-        assert_eq!(deep.current(), 99);
-        assert_eq!((0..100).fold(deep, Media::left), Media::AIR);
+    fn a_ray_is_inside_of_what_it_leaves_without_entering() {
+        assert_eq!(before(&[], &[]), NONE);
+        assert_eq!(before(&[], &[('+', 1), ('-', 1)]), NONE);
+        assert_eq!(before(&[], &[('-', 1)]), 1);
+        assert_eq!(before(&[], &[('+', 2), ('-', 2), ('-', 1)]), 1);
+        // Two parts of one object overlap: it is left for good only once.
+        assert_eq!(before(&[], &[('+', 1), ('-', 1), ('-', 1)]), 1);
+    }
+
+    #[test]
+    fn of_many_the_highest_priority_decides_then_the_innermost() {
+        assert_eq!(before(&[], &[('-', 2), ('-', 1)]), 2);
+        assert_eq!(before(&[], &[('-', 2), ('-', 5), ('-', 1)]), 5);
+        assert_eq!(before(&[], &[('-', 5), ('-', 6)]), 5);
+    }
+
+    #[test]
+    fn open_objects_are_around_the_closed_ones_unless_they_have_priority() {
+        assert_eq!(before(&[3, 4], &[]), 4);
+        assert_eq!(before(&[3, 4], &[('-', 1)]), 1);
+        assert_eq!(before(&[3, 5], &[('-', 1)]), 5);
+    }
+
+    #[test]
+    fn what_is_entered_can_be_left_in_any_order() {
+        let inside = Entered::NOTHING.and(7).and(3).and(5);
+        let list = |e: Entered| e.innermost_first().collect::<Vec<_>>();
+        assert_eq!(list(inside.without(3)), [5, 7]);
+        assert_eq!(list(inside.without(5).without(9)), [3, 7]);
+        let nothing = inside.without(5).without(3).without(7);
+        assert_eq!(nothing, Entered::NOTHING);
+        let deep = (0..100).fold(Entered::NOTHING, Entered::and);
+        assert_eq!((0..100).fold(deep, Entered::without), Entered::NOTHING);
     }
 }

@@ -7,6 +7,7 @@ use crate::math::{Ray, Rgb};
 use crate::probe::RayKind;
 use crate::scene::Object;
 use crate::shading::{Illumination, Interaction, Material, optics};
+use crate::tracer::boundary;
 use crate::tracer::lights::{Asker, illumination};
 
 /// A solid that is met again after this part of the coordinates has not really been left.
@@ -56,6 +57,18 @@ impl<'a> View<'a> {
             primitive: scene.local_index(hit.primitive),
             material: scene.material_of(hit.primitive),
         })
+    }
+
+    /// The other objects whose surfaces touch the one that the ray of a node arrived on: they were crossed as one.
+    pub fn touching(self, node: u32) -> Vec<&'a str> {
+        let node = self.trace.tree.node(node);
+        let Some(Outcome::Hit(hit)) = node.outcome else {
+            return Vec::new();
+        };
+        let ray = Ray::new(node.sent.origin, node.sent.direction);
+        let name = |object: u32| self.world.scene.objects[object as usize].name.as_str();
+        let objects = boundary::touching(self.world, &ray, &hit);
+        objects.into_iter().map(name).collect()
     }
 
     /// True if the ray of a node ended on the very surface that it was sent from, which a sound offset rules out: a

@@ -13,6 +13,8 @@ pub struct Counts {
     pub reflected: u64,
     /// T rays.
     pub transmitted: u64,
+    /// Surfaces that a ray went straight through: each is one more search.
+    pub passed: u64,
     /// Nodes of the acceleration structure that were visited or skipped.
     pub nodes: u64,
     /// Primitives that were tested.
@@ -24,7 +26,7 @@ pub struct Counts {
 impl Counts {
     /// All rays.
     pub fn rays(&self) -> u64 {
-        self.incident + self.light + self.reflected + self.transmitted
+        self.incident + self.light + self.reflected + self.transmitted + self.passed
     }
 
     /// The sum of both.
@@ -35,6 +37,7 @@ impl Counts {
             light: self.light + other.light,
             reflected: self.reflected + other.reflected,
             transmitted: self.transmitted + other.transmitted,
+            passed: self.passed + other.passed,
             nodes: self.nodes + other.nodes,
             tests: self.tests + other.tests,
             hits: self.hits + other.hits,
@@ -53,6 +56,7 @@ impl Probe for Counts {
                 RayKind::Reflected => self.reflected += 1,
                 RayKind::Transmitted => self.transmitted += 1,
             },
+            Event::Passed { .. } => self.passed += 1,
             Event::Visit(_) => self.nodes += 1,
             Event::Test { verdict, .. } => {
                 self.tests += 1;

@@ -94,6 +94,7 @@ pub fn explain(view: View, index: usize) -> Explanation {
             light,
             value,
         } => surface::term(view, node, term, (light, u32::from(sample)), value),
+        Event::Passed { hit, medium } => surface::passed(view, node, &hit, medium),
         Event::Boundary {
             n1,
             n2,

@@ -144,6 +144,9 @@ struct Node<C> {
     ior: f64,
     /// "hit", "miss", "light", "lit" or "blocked"; null if the log was cut before the ray ended.
     outcome: Option<&'static str>,
+    /// Surfaces on the way that changed nothing: the medium behind them was that before them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    passed: Vec<PassedNode>,
     /// For blocked L rays the blocker.
     #[serde(skip_serializing_if = "Option::is_none")]
     hit: Option<HitNode>,
@@ -195,6 +198,18 @@ struct HitNode {
     material: String,
 }
 
+/// A surface that a ray went straight through.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Passed")]
+struct PassedNode {
+    t: f64,
+    object: String,
+    /// Counted within the object, from 0.
+    primitive: u32,
+    /// The medium on both sides.
+    medium: String,
+}
+
 /// The shadow rays to one area light, taken together.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Bundle")]
@@ -220,6 +235,9 @@ struct Boundary {
     n2: f64,
     /// The share that is reflected.
     reflectance: f64,
+    /// Other objects whose surfaces touch this one: they are crossed as one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    touching: Vec<String>,
 }
 
 /// A term of the shading equation with its factors: value = product of the factors that its kind names.

@@ -20,7 +20,7 @@ pub struct Seen<'a> {
 pub fn seen<'a>(world: &'a World, settings: &Settings, (x, y): (u32, u32)) -> Option<Seen<'a>> {
     let middle = [f64::from(x) + 0.5, f64::from(y) + 0.5];
     let ray = world.scene.camera.ray(middle, settings.size());
-    let hit = world.closest(&ray, &mut Silent)?;
+    let hit = world.closest(&ray, 0.0, &mut Silent)?;
     Some(Seen {
         object: &world.scene.object_of(hit.primitive).name,
         shape: world.scene.shapes[hit.primitive as usize].kind(),

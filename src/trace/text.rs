@@ -150,6 +150,12 @@ fn detail(view: View, event: &Event) -> Option<String> {
             light(id),
             reason.name()
         )),
+        Event::Passed { hit, medium } => Some(format!(
+            "straight through the surface of {} at t = {}, inside {}",
+            view.world.scene.object_of(hit.primitive).name,
+            num(hit.t),
+            view.world.scene.medium_name(medium)
+        )),
         Event::Boundary {
             n1,
             n2,

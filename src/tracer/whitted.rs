@@ -2,12 +2,16 @@
 //!
 //! radiance = emission + Ka Ia + sum over lights (Kd (N.L) + Ks (R.V)^n) I + Wr radiance(R) + Wt radiance(T)
 
+mod arrive;
+
+use super::boundary::Change;
 use super::foresight::Foreseen;
 use super::lights::{self, Asker, Bundle, Question};
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
 use crate::scene::{Effect, Settings, World};
-use crate::shading::{Interaction, Material, Media, Side, optics, phong};
+use crate::shading::{Entered, Interaction, Material, optics, phong};
+use arrive::Arrival;
 
 /// Rays nest at most this deep, whatever depth was asked for: recursion has to end before the stack does.
 pub const MAX_DEPTH: u32 = 1000;
@@ -25,6 +29,7 @@ pub struct Tracer<'a, P> {
 }
 
 /// A ray on its way, and what it knows of the path behind it.
+#[derive(Clone, Copy)]
 struct Path<'f> {
     kind: RayKind,
     ray: Ray,
@@ -33,7 +38,10 @@ struct Path<'f> {
     weight: Rgb,
     /// Product of the weights since the eye: what this ray's radiance counts in the pixel.
     throughput: Rgb,
-    media: Media,
+    /// The open objects that it is inside of.
+    entered: Entered,
+    /// The object in whose medium it starts, or [`NONE`] for air; [`NONE`] as well if nobody listens.
+    medium: u32,
     /// Who it is, for the points on area lights.
     asker: Asker,
     /// Answers that were found ahead, for silent eye rays.
@@ -46,8 +54,8 @@ struct Split {
     transmitted: Rgb,
     /// The refracted direction, or the negative k of total internal reflection.
     refracted: Result<DVec3, f64>,
-    /// The media behind the surface.
-    beyond: Media,
+    /// The open objects that a ray is inside of that went through.
+    beyond: Entered,
 }
 
 impl<'a, P: Probe> Tracer<'a, P> {
@@ -72,13 +80,15 @@ impl<'a, P: Probe> Tracer<'a, P> {
 
     /// The radiance that arrives at the eye along `ray`, of which something may be foreseen.
     pub fn eye(&mut self, asker: Asker, ray: Ray, foreseen: Option<Foreseen>) -> Rgb {
+        let entered = self.world.around_eye;
         self.radiance(&Path {
             kind: RayKind::Incident,
             ray,
             depth: 0,
             weight: Rgb::WHITE,
             throughput: Rgb::WHITE,
-            media: self.world.eye_media,
+            entered,
+            medium: self.medium(&ray, &entered),
             asker,
             foreseen,
         })
@@ -88,11 +98,8 @@ impl<'a, P: Probe> Tracer<'a, P> {
     fn radiance(&mut self, path: &Path) -> Rgb {
         self.send(path);
         let mut sum = Rgb::BLACK;
-        let closest = match path.foreseen {
-            Some(foreseen) => foreseen.hit,
-            None => self.world.closest(&path.ray, self.probe),
-        };
-        let Some(hit) = closest else {
+        let mut path = *path;
+        let Some(Arrival { hit, at, change }) = self.arrive(&mut path) else {
             self.probe.event(Event::Miss);
             self.add(
                 &mut sum,
@@ -103,9 +110,8 @@ impl<'a, P: Probe> Tracer<'a, P> {
             return self.done(sum);
         };
         self.probe.event(Event::Hit(hit));
-        let scene = &self.world.scene;
+        let (path, scene) = (&path, &self.world.scene);
         let material = scene.material_of(hit.primitive);
-        let at = scene.interaction(&path.ray, &hit);
 
         // What the surface sends out itself, and its share of the light that is everywhere.
         if !material.emission.is_black() {
@@ -120,8 +126,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             self.light(&mut sum, path, &at, material, light);
         }
         // What comes from the mirrored and from the refracted direction.
-        let object = scene.owners[hit.primitive as usize];
-        let split = self.split(path, &at, material, object);
+        let split = self.split(path, &at, material, change);
         self.reflect(&mut sum, path, &at, &split);
         self.transmit(&mut sum, path, &at, &split);
         self.done(sum)
@@ -223,7 +228,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             sample: sample as u16,
             depth: path.depth + 1,
             light,
-            medium: path.media.current(),
+            medium: path.medium,
             origin: ray.origin,
             direction: ray.direction,
             t_max: lit.distance,
@@ -260,24 +265,22 @@ impl<'a, P: Probe> Tracer<'a, P> {
     ///
     /// A transparent surface reflects the share F of what it would let through (Fresnel): Wr = Kr + F Kt,
     /// Wt = (1 - F) Kt. Under total internal reflection F is 1, in every model.
-    fn split(&mut self, path: &Path, at: &Interaction, m: &Material, object: u32) -> Split {
-        if !m.is_transmissive() {
+    fn split(
+        &mut self,
+        path: &Path,
+        at: &Interaction,
+        m: &Material,
+        change: Option<Change>,
+    ) -> Split {
+        let Some(Change { media, entered }) = change else {
             return Split {
                 reflected: m.mirror,
                 transmitted: Rgb::BLACK,
                 refracted: Err(0.0),
-                beyond: path.media,
+                beyond: path.entered,
             };
-        }
-        let scene = &self.world.scene;
-        let outside = path.media.left(object);
-        let (n1, n2, beyond) = match at.side {
-            Side::Front => {
-                let n1 = scene.medium_ior(path.media.current());
-                (n1, m.ior, path.media.entered(object))
-            }
-            Side::Back => (m.ior, scene.medium_ior(outside.current()), outside),
         };
+        let [n1, n2] = media.map(|medium| self.world.scene.medium_ior(medium));
         let refracted = optics::refract(-at.to_viewer, at.normal, n1, n2);
         let share = refracted.map_or(1.0, |t| {
             let (cos_i, cos_t) = (at.normal.dot(at.to_viewer), -at.normal.dot(t));
@@ -292,7 +295,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             reflected: m.mirror + m.transmission * share,
             transmitted: m.transmission * (1.0 - share),
             refracted,
-            beyond,
+            beyond: entered,
         }
     }
 
@@ -309,7 +312,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
         } else {
             None
         };
-        let way = absence.map_or(Ok((direction, path.media)), Err);
+        let way = absence.map_or(Ok((direction, path.entered)), Err);
         self.follow(sum, path, at, RayKind::Reflected, split.reflected, way);
     }
 
@@ -341,7 +344,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
         at: &Interaction,
         kind: RayKind,
         weight: Rgb,
-        way: Result<(DVec3, Media), Absence>,
+        way: Result<(DVec3, Entered), Absence>,
     ) {
         let throughput = path.throughput * weight;
         let allowed = way.and_then(|way| self.within_limits(path.depth, throughput).map(|()| way));
@@ -351,14 +354,16 @@ impl<'a, P: Probe> Tracer<'a, P> {
                 light: NONE,
                 reason,
             }),
-            Ok((direction, media)) => {
+            Ok((direction, entered)) => {
+                let ray = Ray::new(at.origin_towards(direction), direction);
                 let radiance = self.radiance(&Path {
                     kind,
-                    ray: Ray::new(at.origin_towards(direction), direction),
+                    ray,
                     depth: path.depth + 1,
                     weight,
                     throughput,
-                    media,
+                    entered,
+                    medium: self.medium(&ray, &entered),
                     asker: path.asker.follow(kind == RayKind::Transmitted),
                     foreseen: None,
                 });
@@ -401,7 +406,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             sample: 0,
             depth: path.depth,
             light: NONE,
-            medium: path.media.current(),
+            medium: path.medium,
             origin: path.ray.origin,
             direction: path.ray.direction,
             t_max: f64::INFINITY,

@@ -12,7 +12,7 @@ pub fn json(sweeps: &[Sweep], again: &str) -> Value {
         json!({
             "step": s.step, "samples": s.samples, "seconds": s.seconds, "spread": s.spread, "runs": s.runs,
             "build_seconds": s.built,
-            "rays": { "I": s.counts.incident, "L": s.counts.light, "R": s.counts.reflected, "T": s.counts.transmitted },
+            "rays": { "I": s.counts.incident, "L": s.counts.light, "R": s.counts.reflected, "T": s.counts.transmitted, "passed": s.counts.passed },
             "nodes": s.counts.nodes, "tests": s.counts.tests, "on_front": s.on_front,
             "errors": s.errors.map(|e| json!({
                 "rmse": e.rmse, "relative_mse": e.relative_mse, "max": e.max, "seen": e.seen, "flip": e.flip,

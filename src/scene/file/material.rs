@@ -31,6 +31,10 @@ pub struct MaterialFile {
     /// The index of refraction of what is inside: water 1.33, glass 1.5.
     #[serde(default = "MaterialFile::ior")]
     pub ior: f64,
+    /// Where transparent objects overlap, as water does with the glass that holds it, the inside is that of the highest
+    /// priority; of equal ones, that which a ray enters last.
+    #[serde(default)]
+    pub priority: i32,
     /// Radiance that the surface sends out by itself.
     #[serde(default)]
     pub emission: Rgb,
@@ -73,6 +77,7 @@ impl Default for MaterialFile {
             mirror: Rgb::BLACK,
             transmission: Rgb::BLACK,
             ior: Self::ior(),
+            priority: 0,
             emission: Rgb::BLACK,
             checker: None,
         }

@@ -149,6 +149,7 @@ impl Entry {
             },
             transmission: Rgb::grey(1.0 - self.opacity),
             ior: self.ior,
+            priority: 0,
             emission: self.emission,
             checker: None,
         }

@@ -2,9 +2,9 @@
 
 use super::super::{Arrival, View};
 use super::{Explanation, degrees, num, ray, rgb, vec3};
-use crate::geometry::Offset;
-use crate::math::Rgb;
-use crate::probe::{Absence, RayKind, Term};
+use crate::geometry::{Hit, Offset};
+use crate::math::{Ray, Rgb};
+use crate::probe::{Absence, NONE, RayKind, Term};
 use crate::shading::Side;
 
 /// A ray hits a surface.
@@ -174,6 +174,41 @@ pub fn bundle(view: View, node: u32, light: u32) -> Explanation {
         )
 }
 
+/// A ray goes straight through a surface.
+pub fn passed(view: View, node: u32, hit: &Hit, medium: u32) -> Explanation {
+    let scene = &view.world.scene;
+    let sent = &view.trace.tree.node(node).sent;
+    let ray = Ray::new(sent.origin, sent.direction);
+    let at = scene.interaction(&ray, hit);
+    let object = scene.owners[hit.primitive as usize];
+    let name = |object: u32| {
+        let object = scene.objects.get(object as usize);
+        object.map_or("air", |o| o.name.as_str())
+    };
+    let way = match at.side {
+        Side::Front => "into",
+        Side::Back => "out of",
+    };
+    let priority = |object: u32| format!("{} of `{}`", scene.medium_priority(object), name(object));
+    let explanation = Explanation::new(
+        format!("straight {way} `{}`", name(object)),
+        format!(
+            "Where objects overlap the highest priority decides, of equal ones the innermost: `{}` before and behind.",
+            name(medium)
+        ),
+    )
+    .row("t", num(hit.t))
+    .row("point", vec3(at.point));
+    if medium == NONE {
+        // Crossed together with another surface of the same object, at an edge.
+        return explanation;
+    }
+    explanation.row(
+        "priorities",
+        format!("{}, {}", priority(object), priority(medium)),
+    )
+}
+
 /// A transparent surface shares light between R and T.
 pub fn boundary(view: View, node: u32, n1: f64, n2: f64, reflectance: f64) -> Explanation {
     let explanation = Explanation::new(
@@ -190,6 +225,15 @@ pub fn boundary(view: View, node: u32, n1: f64, n2: f64, reflectance: f64) -> Ex
         return explanation;
     };
     let (kr, kt) = (material.mirror, material.transmission);
+    let touching = view.touching(node);
+    let explanation = if touching.is_empty() {
+        explanation
+    } else {
+        explanation.row(
+            "crossed as one with",
+            format!("`{}`", touching.join("`, `")),
+        )
+    };
     explanation
         .row("angle", degrees(at.normal.dot(at.to_viewer)))
         .row("critical angle", critical_angle(n1, n2))

@@ -1,6 +1,8 @@
 //! From the log to the nodes of the document.
 
-use super::{AbsentNode, Boundary, BundleNode, HitNode, Lazy, Node, Step, TermNode, Tested};
+use super::{
+    AbsentNode, Boundary, BundleNode, HitNode, Lazy, Node, PassedNode, Step, TermNode, Tested,
+};
 use crate::math::{DVec3, Rgb};
 use crate::probe::{Absence, Event, NONE, RayKind, Term, Verdict, Visit};
 use crate::shading::Side;
@@ -19,6 +21,7 @@ pub fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
     let scene = &view.world.scene;
     let mut boundary = None;
     let (mut terms, mut absent, mut traversal) = (Vec::new(), Vec::new(), Vec::new());
+    let mut passed = Vec::new();
     for (_, event) in tree.own_events(id) {
         match *event {
             Event::Term {
@@ -44,8 +47,15 @@ pub fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
                     n1,
                     n2,
                     reflectance,
+                    touching: view.touching(id).into_iter().map(str::to_owned).collect(),
                 });
             }
+            Event::Passed { hit, medium } => passed.push(PassedNode {
+                t: hit.t,
+                object: scene.object_of(hit.primitive).name.clone(),
+                primitive: scene.local_index(hit.primitive),
+                medium: scene.medium_name(medium).to_owned(),
+            }),
             Event::Visit(visit) => traversal.push(visit_step(view, &visit)),
             Event::Test {
                 primitive,
@@ -73,6 +83,7 @@ pub fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
             Outcome::Lit => "lit",
             Outcome::Blocked(_) => "blocked",
         }),
+        passed,
         hit: arrival.as_ref().map(hit_node),
         light: light_name(view, sent.light),
         sample: view.is_area(sent.light).then(|| u32::from(sent.sample)),

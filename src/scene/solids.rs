@@ -1,0 +1,82 @@
+//! Which objects bound a part of space, so that every line comes out of them as often as it goes in.
+
+use crate::geometry::Shape;
+use crate::math::DVec3;
+
+/// True if the shapes are solids, or triangles that close: each edge is run through as often in one direction as in the
+/// other. What it costs is a sort of the edges.
+pub fn is_closed(shapes: &[Shape]) -> bool {
+    let mut edges: Vec<(Edge, i32)> = Vec::new();
+    for shape in shapes {
+        match shape.plain() {
+            Shape::Triangle(triangle) => {
+                let [a, b, c] = triangle.corners.map(bits);
+                edges.extend(
+                    [(a, b), (b, c), (c, a)].map(
+                        |(p, q)| {
+                            if p < q { ((p, q), 1) } else { ((q, p), -1) }
+                        },
+                    ),
+                );
+            }
+            solid if solid.is_solid() => {}
+            _ => return false,
+        }
+    }
+    edges.sort_unstable();
+    edges
+        .chunk_by(|(a, _), (b, _)| a == b)
+        .all(|same| same.iter().map(|(_, way)| way).sum::<i32>() == 0)
+}
+
+/// Two ends, the smaller one first.
+type Edge = ([u64; 3], [u64; 3]);
+
+/// A point that can be compared: -0 is 0.
+fn bits(point: DVec3) -> [u64; 3] {
+    (point + 0.0).to_array().map(f64::to_bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Plane, Sphere, Triangle};
+
+    fn tetrahedron() -> Vec<Shape> {
+        let p = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+            .map(|face| {
+                Shape::Triangle(Triangle {
+                    corners: face.map(|i| p[i]),
+                })
+            })
+            .to_vec()
+    }
+
+    #[test]
+    fn a_mesh_without_holes_is_closed_and_one_with_a_hole_is_not() {
+        let closed = tetrahedron();
+        assert!(is_closed(&closed));
+        assert!(!is_closed(&closed[1..]));
+        // A face that is turned over, and one that stands twice.
+        let mut turned = closed.clone();
+        if let Shape::Triangle(t) = &mut turned[0] {
+            t.corners.swap(0, 1);
+        }
+        assert!(!is_closed(&turned));
+        let twice = [closed.clone(), closed[..1].to_vec()].concat();
+        assert!(!is_closed(&twice));
+        assert!(is_closed(&[closed.clone(), closed].concat()));
+    }
+
+    #[test]
+    fn solids_are_closed_and_planes_are_open() {
+        let ball = Sphere {
+            center: DVec3::ZERO,
+            radius: 1.0,
+        };
+        assert!(is_closed(&[Shape::Sphere(ball)]));
+        let floor = Plane::new(DVec3::ZERO, DVec3::Y);
+        assert!(!is_closed(&[Shape::Sphere(ball), Shape::Plane(floor)]));
+    }
+}

@@ -1,0 +1,113 @@
+//! What can be traced: a scene and the acceleration structure over it.
+
+use super::{Object, Scene, solids};
+use crate::accel::{Accel, AccelKind};
+use crate::geometry::{Hit, Shear};
+use crate::math::{Interval, Ray};
+use crate::probe::{NONE, Probe};
+use crate::shading::medium::{Crossing, Entered, medium};
+
+/// A scene and the acceleration structure over it: what can be traced.
+#[derive(Clone, Debug)]
+pub struct World {
+    /// The scene.
+    pub scene: Scene,
+    /// The structure over its shapes.
+    pub accel: Accel,
+    /// True if anything is transparent, so that there are media at all.
+    pub has_media: bool,
+    /// Transparent objects that bound no part of space, by object index: see [`Entered`].
+    open: Vec<bool>,
+    /// Those of them that the eye is inside of.
+    pub around_eye: Entered,
+}
+
+impl World {
+    /// Builds the acceleration structure.
+    pub fn new(scene: Scene, kind: AccelKind) -> Self {
+        let accel = Accel::build(kind, &scene.shapes);
+        let is_medium = |o: &Object| scene.materials[o.material as usize].is_transmissive();
+        let has_media = scene.objects.iter().any(is_medium);
+        let open = (0u32..)
+            .zip(&scene.objects)
+            .map(|(i, o)| is_medium(o) && !solids::is_closed(scene.shapes_of(i)))
+            .collect();
+        let mut world = Self {
+            scene,
+            accel,
+            has_media,
+            open,
+            around_eye: Entered::NOTHING,
+        };
+        world.around_eye = world.entered_by_eye();
+        world
+    }
+
+    /// The open objects that the eye is inside of, as far as can be told: those that the straight line ahead leaves without
+    /// having entered them. Outermost first, so those left last are put in first.
+    fn entered_by_eye(&self) -> Entered {
+        let mut around = Entered::NOTHING;
+        if self.open.contains(&true) {
+            let camera = &self.scene.camera;
+            let line = Ray::new(camera.eye, -camera.frame.w);
+            let crossings = self.crossings(&line, Interval::FORWARD);
+            for (i, crossing) in crossings.iter().enumerate().rev() {
+                let before = &crossings[..i];
+                let met = before.iter().any(|c| c.object == crossing.object);
+                if crossing.enters == Some(false) && self.is_open(crossing.object) && !met {
+                    around = around.and(crossing.object);
+                }
+            }
+        }
+        around
+    }
+
+    /// True if an object is transparent and bounds no part of space.
+    pub fn is_open(&self, object: u32) -> bool {
+        self.open[object as usize]
+    }
+
+    /// The closest hit of a ray behind t = `from`.
+    pub fn closest<P: Probe>(&self, ray: &Ray, from: f64, probe: &mut P) -> Option<Hit> {
+        let interval = Interval::new(from, f64::INFINITY);
+        self.accel.closest(&self.scene.shapes, ray, interval, probe)
+    }
+
+    /// Something that stands on the ray before `distance`.
+    pub fn blocker<P: Probe>(&self, ray: &Ray, distance: f64, probe: &mut P) -> Option<Hit> {
+        let interval = Interval::before(distance);
+        self.accel.any(&self.scene.shapes, ray, interval, probe)
+    }
+
+    /// Every surface that a ray crosses inside an interval, by t.
+    pub fn crossings(&self, ray: &Ray, interval: Interval) -> Vec<Crossing> {
+        let scene = &self.scene;
+        let shear = Shear::new(ray);
+        let hits = self.accel.crossings(&scene.shapes, ray, interval);
+        hits.into_iter()
+            .map(|hit| Crossing {
+                hit,
+                object: scene.owners[hit.primitive as usize],
+                enters: if scene.material_of(hit.primitive).is_transmissive() {
+                    scene.shapes[hit.primitive as usize].enters(ray, &shear, hit.t)
+                } else {
+                    None
+                },
+            })
+            .collect()
+    }
+
+    /// The medium before `ahead`, the crossings that a ray is going to meet: an object, or [`NONE`] for air.
+    pub fn medium(&self, entered: &Entered, ahead: &[Crossing]) -> u32 {
+        medium(entered, ahead, |object| self.scene.medium_priority(object))
+    }
+
+    /// The medium where `ray` starts: an object, or [`NONE`] for air.
+    pub fn medium_at_start(&self, ray: &Ray, entered: &Entered) -> u32 {
+        if self.has_media {
+            self.medium(entered, &self.crossings(ray, Interval::FORWARD))
+        } else {
+            NONE
+        }
+    }
+}
