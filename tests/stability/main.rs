@@ -8,7 +8,9 @@
 mod common;
 
 mod bsp;
+mod media;
 mod meshes;
+mod optics;
 mod oracle;
 mod spheres;
 mod support;
