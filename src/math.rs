@@ -16,7 +16,7 @@ pub mod transform;
 pub use frame::Frame;
 pub use glam::{DVec2, DVec3};
 pub use interval::Interval;
-pub use points::Sampler;
+pub use points::{LightSampling, Sampler};
 pub use ray::Ray;
 pub use rgb::Rgb;
 pub use transform::Transform;

@@ -7,6 +7,7 @@ pub mod material;
 pub mod medium;
 pub mod optics;
 pub mod phong;
+pub mod projected;
 
 pub use area::Area;
 pub use interaction::{Interaction, Side};
@@ -14,3 +15,4 @@ pub use light::{Illumination, Light, Source};
 pub use material::{Checker, Material};
 pub use medium::{Crossing, Entered};
 pub use optics::Fresnel;
+pub use projected::Projected;

@@ -1,115 +1,47 @@
-//! Area lights against answers known on paper: irradiance, penumbrae, slopes of the error, and the spread of points.
+//! Area lights against answers known on paper: irradiance and the spread of points.
+
+#[path = "common/floor.rs"]
+mod floor;
 
 use std::f64::consts::PI;
 
+use floor::{LAMP, SQUARE, floor, irradiance, part, polygon, runs, settings};
 use raytree::accel::AccelKind;
 use raytree::geometry::{Disc, Shape, Sphere, Triangle};
 use raytree::math::points::Run;
-use raytree::math::{DVec3, Rgb, Sampler};
-use raytree::probe::Silent;
+use raytree::math::{DVec3, LightSampling, Rgb, Sampler};
 use raytree::scene::{self, Settings, World};
 use raytree::shading::Area;
 use raytree::trace::{View, trace_pixel};
-use raytree::tracer::pixel;
-
-/// A floor y = 0 with Kd = 1, seen at (x, 0, z) from below the lights, and these lights and other objects.
-fn floor(at: [f64; 2], lights: &str, objects: &str) -> World {
-    let [x, z] = at;
-    let text = format!(
-        r#"{{
-  "format": "raytree-scene/1", "name": "test", "background": [0, 0, 0], "ambient": [0, 0, 0],
-  "camera": {{"eye": [{x}, 0.5, {}], "look_at": [{x}, 0, {z}], "vertical_fov": 1e-6}},
-  "materials": {{
-    "white": {{"diffuse": [1, 1, 1]}},
-    "lamp": {{"diffuse": [0, 0, 0], "emission": [1, 1, 1]}},
-    "black": {{"diffuse": [0, 0, 0]}}
-  }},
-  "lights": [{lights}],
-  "objects": [{objects}, {{"plane": {{"name": "floor", "material": "white", "point": [0, 0, 0], "normal": [0, 1, 0]}}}}]
-}}"#,
-        z + 0.5
-    );
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("test.json");
-    std::fs::write(&path, text).expect("room on the disk");
-    let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
-    World::new(scene, AccelKind::List)
-}
-
-const LAMP: &str = r#"{"area": {"name": "lamp", "object": "lamp"}}"#;
-const SQUARE: &str = r#"{"quad": {"name": "lamp", "material": "lamp", "corner": [-1, 2, -1], "u": [2, 0, 0], "v": [0, 0, 2]}}"#;
-/// The half-plane x < 0 at height 1, as far as anybody here sees.
-const EDGE: &str = r#"{"quad": {"name": "edge", "material": "black", "corner": [-50, 1, -50], "u": [50, 0, 0], "v": [0, 0, 100]}}"#;
-
-fn settings(sampler: Sampler, light_samples: u32, seed: u64) -> Settings {
-    Settings {
-        width: 1,
-        height: 1,
-        sampler,
-        light_samples,
-        seed,
-        ..Settings::default()
-    }
-}
-
-/// The irradiance of the floor by one render: its radiance is E / pi.
-fn irradiance(world: &World, settings: &Settings) -> f64 {
-    pixel(world, settings, (0, 0), &mut Silent).color.channels()[0] * PI
-}
-
-/// Mean and standard error over independent runs.
-fn runs(world: &World, sampler: Sampler, light_samples: u32, count: u64) -> (f64, f64) {
-    let values: Vec<f64> = (0..count)
-        .map(|seed| irradiance(world, &settings(sampler, light_samples, seed)))
-        .collect();
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let squares: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
-    (mean, (squares / (n * (n - 1.0))).sqrt())
-}
 
 /// Every sampler that has chance in it hits the true value: |z| < 4.3, which one honest test in 10^5 exceeds; there
-/// are about 30. (1e-9 is what single-precision points may add.)
+/// are about 60. (1e-9 is what single-precision points may add.)
 fn unbiased(world: &World, truth: f64, what: &str) {
-    for sampler in [Sampler::Random, Sampler::Stratified, Sampler::Sobol] {
-        let (mean, error) = runs(world, sampler, 64, 200);
+    let samplers = [Sampler::Random, Sampler::Stratified, Sampler::Sobol];
+    for (sampler, by) in samplers
+        .into_iter()
+        .flat_map(|s| LightSampling::ALL.map(|by| (s, by)))
+    {
+        let (mean, error) = runs(world, (sampler, by), 64, 200);
         let off = (mean - truth).abs();
         assert!(
             off < 4.3 * error + 1e-9,
-            "{what}, {sampler:?}: {mean} +- {error}, not {truth}"
+            "{what}, {sampler:?}, {by:?}: {mean} +- {error}, not {truth}"
         );
         assert!(
             error < 0.05 * truth,
-            "{what}, {sampler:?}: the test is blind"
+            "{what}, {sampler:?}, {by:?}: the test is blind"
         );
     }
     // A grid has no chance in it: it is off by what its cells leave out.
-    let grid = irradiance(world, &settings(Sampler::Grid, 4096, 0));
+    let grid = irradiance(
+        world,
+        &settings((Sampler::Grid, LightSampling::Area), 4096, 0),
+    );
     assert!(
         (grid - truth).abs() < 5e-3 * truth,
         "{what}, grid: {grid}, not {truth}"
     );
-}
-
-/// E / L of a polygon: (1/2) |sum over edges angle (n . unit normal of the edge's plane)|. Source: Lambert 1760.
-fn polygon(at: DVec3, corners: &[DVec3]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    let sum: f64 = corners
-        .iter()
-        .zip(next)
-        .map(|(a, b)| {
-            let (a, b) = (*a - at, *b - at);
-            let cross = a.cross(b);
-            let angle = libm::atan2(cross.length(), a.dot(b));
-            angle * cross.normalize().y
-        })
-        .sum();
-    sum.abs() / 2.0
-}
-
-/// The part x > `from` of the square lamp of half width a at height 2.
-fn part(from: f64, a: f64) -> [DVec3; 4] {
-    [[from, -a], [a, -a], [a, a], [from, a]].map(|[x, z]| DVec3::new(x, 2.0, z))
 }
 
 #[test]
@@ -169,106 +101,6 @@ fn inside_a_shining_sphere_a_white_floor_is_as_bright_as_the_sphere() {
     let furnace =
         r#"{"sphere": {"name": "lamp", "material": "lamp", "center": [0, 0.3, 0], "radius": 10}}"#;
     unbiased(&floor([0.0, 0.0], LAMP, furnace), PI, "white furnace");
-}
-
-/// Lit and blocked samples of the one bundle of the floor.
-fn bundle(world: &World, settings: &Settings) -> (f64, f64) {
-    let trace = trace_pixel(world, settings, (0, 0), false);
-    let view = View {
-        world,
-        settings,
-        trace: &trace,
-    };
-    let bundles = view.bundles(0);
-    let bundle = bundles.first().expect("one light");
-    (f64::from(bundle.lit), f64::from(bundle.blocked))
-}
-
-#[test]
-fn penumbrae_of_a_half_plane_have_their_profiles() {
-    // The edge stands half way to the lamp: from (x, 0, 0) it hides what lies at less than -x.
-    let disc = r#"{"disc": {"name": "lamp", "material": "lamp", "center": [0, 2, 0], "normal": [0, -1, 0], "radius": 0.5}}"#;
-    let square = r#"{"quad": {"name": "lamp", "material": "lamp", "corner": [-0.5, 2, -0.5], "u": [1, 0, 0], "v": [0, 0, 1]}}"#;
-    let cases = [
-        (disc, 0.25, 0.804_498_90),
-        (disc, 0.0, 0.5),
-        (disc, -0.25, 0.195_501_11),
-        (disc, 0.51, 1.0),
-        (disc, -0.51, 0.0),
-        (square, 0.25, 0.75),
-        (square, 0.0, 0.5),
-        (square, -0.1, 0.4),
-        (square, 0.51, 1.0),
-        (square, -0.51, 0.0),
-    ];
-    for (lamp, x, truth) in cases {
-        let world = floor([x, 0.0], LAMP, &format!("{lamp}, {EDGE}"));
-        for (sampler, tolerance) in [
-            (Sampler::Random, 4.3 * (0.25f64 / 16384.0).sqrt()),
-            (Sampler::Stratified, 2e-3),
-            (Sampler::Sobol, 1e-3),
-            (Sampler::Grid, 8e-3),
-        ] {
-            let (lit, blocked) = bundle(&world, &settings(sampler, 16384, 7));
-            let part = lit / (lit + blocked);
-            assert!(
-                (part - truth).abs() <= tolerance,
-                "{lamp} {x} {sampler:?}: {part}, not {truth}"
-            );
-        }
-    }
-}
-
-/// The slope of log RMSE over log samples, from 16 to 16,384 samples.
-fn slope(world: &World, sampler: Sampler, truth: f64) -> f64 {
-    let points: Vec<[f64; 2]> = [16u32, 64, 256, 1024, 4096, 16384]
-        .into_iter()
-        .map(|n| {
-            let squares: f64 = (0..128)
-                .map(|seed| irradiance(world, &settings(sampler, n, seed)) - truth)
-                .map(|off| off * off)
-                .sum();
-            [libm::log(f64::from(n)), libm::log((squares / 128.0).sqrt())]
-        })
-        .collect();
-    let n = points.len() as f64;
-    let mean = |axis: usize| points.iter().map(|p| p[axis]).sum::<f64>() / n;
-    let [x, y] = [mean(0), mean(1)];
-    let over: f64 = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum();
-    over / points.iter().map(|p| (p[0] - x) * (p[0] - x)).sum::<f64>()
-}
-
-#[test]
-fn errors_fall_with_the_slopes_of_theory() {
-    let smooth = floor([0.3, -0.2], LAMP, SQUARE);
-    let truth = 0.724_914_736_09;
-    for (sampler, expected, off) in [
-        (Sampler::Random, -0.5, 0.05),
-        (Sampler::Stratified, -1.0, 0.1),
-        (Sampler::Sobol, -1.44, 0.1),
-    ] {
-        let slope = slope(&smooth, sampler, truth);
-        assert!(
-            (slope - expected).abs() < off,
-            "smooth, {sampler:?}: {slope}"
-        );
-    }
-    // 0.3711 of the lamp can be seen: the edge falls between all cells of any grid.
-    let x = 2.0 * (0.3711 - 0.5);
-    let edge = floor([x, 0.0], LAMP, &format!("{SQUARE}, {EDGE}"));
-    let truth = polygon(DVec3::new(x, 0.0, 0.0), &part(-x, 1.0));
-    for (sampler, expected, off) in [
-        (Sampler::Random, -0.5, 0.05),
-        (Sampler::Stratified, -0.7, 0.1),
-        (Sampler::Sobol, -0.94, 0.1),
-    ] {
-        let slope = slope(&edge, sampler, truth);
-        assert!((slope - expected).abs() < off, "edge, {sampler:?}: {slope}");
-    }
-    // A grid's error at the edge does not fall with luck: it is that of the column of cells which the edge cuts.
-    let off = |n| (irradiance(&edge, &settings(Sampler::Grid, n, 0)) - truth).abs();
-    let (few, many) = (off(1024), off(16384));
-    assert!(many > few / 4.0, "16 times the samples: {few} -> {many}");
 }
 
 /// The points of a light that `from` meets, with its two lists of numbers.

@@ -7,7 +7,7 @@ use super::Failure;
 use crate::accel::AccelKind;
 use crate::accel::fastest;
 use crate::geometry::{Arithmetic, Offset, Precision, Quadratic, Shape, TriangleTest};
-use crate::math::Sampler;
+use crate::math::{LightSampling, Sampler};
 use crate::scene::effects::effects;
 use crate::scene::{Effect, Sampling, Scene, Settings, World, limits};
 use crate::shading::Fresnel;
@@ -43,6 +43,9 @@ pub struct SettingsArgs {
     /// Where on an area light they go
     #[arg(long, value_enum)]
     sampler: Option<SamplerArg>,
+    /// In proportion to what places on an area light are chosen
+    #[arg(long, value_enum)]
+    light_sampling: Option<LightSamplingArg>,
     /// How often a ray may bounce
     #[arg(long, value_name = "N")]
     depth: Option<u32>,
@@ -125,6 +128,14 @@ enum SamplerArg {
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug)]
+enum LightSamplingArg {
+    /// To its area
+    Area,
+    /// To what they bring to a matt surface, so that only what stands in the way is noise
+    Projected,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug)]
 enum FresnelArg {
     /// The material's coefficients at every angle
     None,
@@ -162,6 +173,12 @@ impl SettingsArgs {
                 SamplerArg::Stratified => Sampler::Stratified,
                 SamplerArg::Sobol => Sampler::Sobol,
             }),
+            light_sampling: self
+                .light_sampling
+                .map_or(asked.light_sampling, |s| match s {
+                    LightSamplingArg::Area => LightSampling::Area,
+                    LightSamplingArg::Projected => LightSampling::Projected,
+                }),
             depth: self.depth.unwrap_or(asked.depth),
             min_weight: self.min_weight.unwrap_or(asked.min_weight),
             effects: self

@@ -2,7 +2,7 @@
 
 use super::effort::Effort;
 use crate::accel::AccelKind;
-use crate::math::Sampler;
+use crate::math::{LightSampling, Sampler};
 use crate::scene::effects::{Effect, effects};
 use crate::scene::{Sampling, Settings, World, limits};
 
@@ -64,7 +64,10 @@ pub fn knobs(world: &World, base: &Settings, effort: Effort) -> Vec<Knob> {
         pixel_samples(base, Sampling::Jittered, effort),
     ];
     if uses(Effect::Shadows) && uses(Effect::SoftShadows) {
-        knobs.extend(Sampler::ALL.map(|sampler| light_samples(base, sampler, effort)));
+        let by_area = LightSampling::Area;
+        knobs.extend(Sampler::ALL.map(|sampler| light_samples(base, (sampler, by_area), effort)));
+        let by_what_it_brings = (Sampler::Sobol, LightSampling::Projected);
+        knobs.push(light_samples(base, by_what_it_brings, effort));
     }
     if uses(Effect::Reflection) || uses(Effect::Refraction) {
         knobs.push(depth(base));
@@ -110,23 +113,29 @@ fn pixel_samples(base: &Settings, sampling: Sampling, effort: Effort) -> Knob {
 }
 
 /// Rays to area lights. Always from the same places on the film, so that nothing else is by chance.
-fn light_samples(base: &Settings, sampler: Sampler, effort: Effort) -> Knob {
-    let with = |light_samples, sampler| Settings {
+fn light_samples(
+    base: &Settings,
+    (sampler, light_sampling): (Sampler, LightSampling),
+    effort: Effort,
+) -> Knob {
+    let with = |light_samples, sampler, light_sampling| Settings {
         sampling: Sampling::Regular,
         light_samples,
         sampler,
+        light_sampling,
         ..*base
     };
+    let most = effort.reference.min(limits::MAX_LIGHT_SAMPLES);
     Knob {
         group: "light samples",
-        way: Some(sampler.name()),
-        steps: by_samples(effort, |n| with(n, sampler)),
+        way: Some(match light_sampling {
+            LightSampling::Area => sampler.name(),
+            LightSampling::Projected => light_sampling.name(),
+        }),
+        steps: by_samples(effort, |n| with(n, sampler, light_sampling)),
         reference: Some(Settings {
             seed: base.seed ^ OTHER_SEED,
-            ..with(
-                effort.reference.min(limits::MAX_LIGHT_SAMPLES),
-                Sampler::Sobol,
-            )
+            ..with(most, Sampler::Sobol, LightSampling::Area)
         }),
         theory: Some(match sampler {
             Sampler::Grid => "none: it stalls at edges along its cells",

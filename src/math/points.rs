@@ -28,6 +28,20 @@ pub enum Sampler {
     Sobol,
 }
 
+/// How a place on a light is chosen with two numbers.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum LightSampling {
+    /// Even on the light's area (on a sphere, in the cone that is seen): each sample brings what it brings.
+    #[default]
+    Area,
+    /// On matt surfaces, in proportion to what a place of a rectangle or triangle brings: all samples bring the same,
+    /// and the only noise is that of what stands in the way. Elsewhere as `area`.
+    Projected,
+}
+
 /// A run of points that belong together: those of one pixel for one use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run {
@@ -39,6 +53,19 @@ pub struct Run {
 
 /// Points of Sobol's sequence before it is scrambled anew: the crate's tables end there.
 const SOBOL_POINTS: u32 = 1 << 16;
+
+impl LightSampling {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Area, Self::Projected];
+
+    /// The name that users write.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Area => "area",
+            Self::Projected => "projected",
+        }
+    }
+}
 
 impl Sampler {
     /// All of them.

@@ -151,6 +151,7 @@ fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneError> 
         samples,
         light_samples,
         sampler: file.sampler.unwrap_or(default.sampler),
+        light_sampling: file.light_sampling.unwrap_or(default.light_sampling),
         sampling: file.sampling.unwrap_or(default.sampling),
         depth: file.depth.unwrap_or(default.depth),
         min_weight: optional(file.min_weight, default.min_weight, "min_weight")?,

@@ -6,7 +6,7 @@ use super::Scene;
 use super::effects::{Effect, Effects, effects};
 use crate::accel::AccelKind;
 use crate::geometry::Arithmetic;
-use crate::math::Sampler;
+use crate::math::{LightSampling, Sampler};
 use crate::shading::Fresnel;
 
 /// Where the samples of a pixel lie.
@@ -37,6 +37,8 @@ pub struct Settings {
     pub light_samples: u32,
     /// Where on the light they go.
     pub sampler: Sampler,
+    /// In proportion to what: to the light's area, or to what each place of it brings.
+    pub light_sampling: LightSampling,
     /// How many times a ray may bounce: 0 stops at what the eye sees directly.
     pub depth: u32,
     /// Rays that could add less than this to the pixel (largest channel of their throughput) are not sent.
@@ -66,6 +68,7 @@ impl Default for Settings {
             sampling: Sampling::default(),
             light_samples: 16,
             sampler: Sampler::default(),
+            light_sampling: LightSampling::default(),
             depth: 5,
             min_weight: 1.0 / 512.0,
             effects: Effects::ALL,

@@ -12,6 +12,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::light::Illumination;
+use super::projected::Projected;
 use crate::geometry::{Disc, Shape, Sphere, Triangle};
 use crate::math::rounding::{gamma, offset_origin};
 use crate::math::{DVec3, Frame, Rgb};
@@ -49,6 +50,19 @@ struct Point {
     area: f64,
 }
 
+impl Point {
+    /// The unit direction to it from `from`, and how far a shadow ray has to go. The ray's end must lie before the
+    /// light, or the light would stand in its own way: it is as far off the surface as the next ray's origin would be,
+    /// for the errors at both ends of the ray.
+    fn way_from(&self, from: DVec3) -> Option<(DVec3, f64)> {
+        let reach = self.at.abs().max(from.abs()).max_element();
+        let error = DVec3::splat(gamma(128) * reach);
+        let end = offset_origin(self.at, error, self.normal, from - self.at);
+        let to_light = end - from;
+        Some((to_light.try_normalize()?, to_light.length()))
+    }
+}
+
 impl Area {
     /// The light that these shapes make together; `None` if one of them has no end or was stretched, or if they have
     /// no area.
@@ -79,17 +93,9 @@ impl Area {
     /// its edge there.
     pub fn sample(&self, point: DVec3, u: [f64; 2]) -> Option<Illumination> {
         let chosen = self.point(point, u)?;
-        let to_point = point - chosen.at;
-        // The end of the shadow ray must lie before the light, or the light would stand in its own way: it is as far
-        // off the surface as the next ray's origin would be, for the errors at both ends of the ray.
-        let reach = chosen.at.abs().max(point.abs()).max_element();
-        let error = DVec3::splat(gamma(128) * reach);
-        let end = offset_origin(chosen.at, error, chosen.normal, to_point);
-        let to_light = end - point;
-        let distance = to_light.length();
-        let direction = to_light.try_normalize()?;
+        let (direction, distance) = chosen.way_from(point)?;
         let cos_angle = chosen.normal.dot(direction).abs();
-        let squared = to_point.length_squared();
+        let squared = (point - chosen.at).length_squared();
         let attenuation = chosen.area * cos_angle / (PI * squared);
         (cos_angle > 0.0 && attenuation.is_finite()).then_some(Illumination {
             direction,
@@ -97,6 +103,59 @@ impl Area {
             attenuation,
             cos_angle,
             intensity: self.radiance * attenuation,
+            irradiance: None,
+        })
+    }
+
+    /// The light as a matt surface at `point` with the unit `normal` sees it, if it is one flat polygon and neither
+    /// too small nor too low for that.
+    pub fn projected(&self, point: DVec3, normal: DVec3) -> Option<Projected> {
+        match &self.form {
+            Form::Parallelogram(a, u, v) => {
+                Projected::new(point, normal, &[*a, a + u, a + u + v, a + v])
+            }
+            Form::Mesh(triangles) if triangles.len() == 1 => {
+                Projected::new(point, normal, &triangles[0].0.corners)
+            }
+            Form::Mesh(_) | Form::Disc(_) | Form::Sphere(_) => None,
+        }
+    }
+
+    /// The same as [`Area::sample`], but with a place that is chosen in proportion to what it brings to a matt surface
+    /// at `point` with the unit `normal`: Le P / pi in all, with the projected solid angle P.
+    pub fn sample_projected(
+        &self,
+        (point, normal): (DVec3, DVec3),
+        seen: &Projected,
+        u: [f64; 2],
+    ) -> Option<Illumination> {
+        let (corner, across) = match &self.form {
+            Form::Parallelogram(corner, u, v) => (*corner, u.cross(*v)),
+            Form::Mesh(triangles) => {
+                let [a, b, c] = triangles.first()?.0.corners;
+                (a, (b - a).cross(c - a))
+            }
+            Form::Disc(_) | Form::Sphere(_) => return None,
+        };
+        let across = across.try_normalize()?;
+        // Where the way meets the light's plane.
+        let way = seen.direction(u);
+        let t = across.dot(corner - point) / across.dot(way);
+        let chosen = Point {
+            at: point + t * way,
+            normal: across,
+            area: self.area,
+        };
+        let (direction, distance) = chosen.way_from(point)?;
+        let n_dot_l = normal.dot(direction);
+        let attenuation = seen.area / (PI * n_dot_l);
+        (t > 0.0 && n_dot_l > 0.0 && attenuation.is_finite()).then_some(Illumination {
+            direction,
+            distance,
+            attenuation,
+            cos_angle: across.dot(direction).abs(),
+            intensity: self.radiance * attenuation,
+            irradiance: Some(self.radiance * (seen.area / PI)),
         })
     }
 

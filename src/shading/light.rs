@@ -64,6 +64,8 @@ pub struct Illumination {
     /// What arrives if nothing stands in between: I x attenuation x fall-off, or Le x attenuation for an area; black
     /// outside a spot's cone.
     pub intensity: Rgb,
+    /// I (N.L), known without its factors where every sample of an area brings the same to a matt surface.
+    pub irradiance: Option<Rgb>,
 }
 
 impl Source {
@@ -86,6 +88,7 @@ impl Source {
                 attenuation: 1.0,
                 cos_angle: 1.0,
                 intensity,
+                irradiance: None,
             }),
             Self::Spot {
                 position,
@@ -132,6 +135,7 @@ impl Source {
             attenuation,
             cos_angle: 1.0,
             intensity: intensity * attenuation,
+            irradiance: None,
         })
     }
 

@@ -8,7 +8,7 @@ use crate::probe::RayKind;
 use crate::scene::Object;
 use crate::shading::{Illumination, Interaction, Material, optics};
 use crate::tracer::boundary;
-use crate::tracer::lights::{Asker, illumination};
+use crate::tracer::lights::{Asker, illumination, seen};
 
 /// A solid that is met again after this part of the coordinates has not really been left.
 const CLOSE: f64 = 1e-6;
@@ -33,6 +33,8 @@ pub struct Arrival<'a> {
 pub struct Lighting {
     /// The light as the point sees it.
     pub light: Illumination,
+    /// P: the projected solid angle of an area light, if its samples are chosen by it.
+    pub projected: Option<f64>,
     /// N.L.
     pub n_dot_l: f64,
     /// R.V, where R is L mirrored at N; negative if R points away from the viewer.
@@ -96,15 +98,24 @@ impl<'a> View<'a> {
         let scene = &self.world.scene;
         let arrival = self.arrival(node)?;
         scene.lights.get(light.0 as usize)?;
-        let asker = self.asker(node);
-        let seen = illumination(scene, self.settings, asker, arrival.at.point, light)?;
+        let (asker, at) = (self.asker(node), &arrival.at);
+        let projected = seen(scene, self.settings, (at, arrival.material), light.0);
+        let seen = illumination(scene, self.settings, asker, (at, projected.as_ref()), light)?;
         let r = optics::reflect(-seen.direction, arrival.at.normal);
         Some(Lighting {
             light: seen,
+            projected: projected.map(|p| p.area),
             n_dot_l: arrival.at.normal.dot(seen.direction),
             r_dot_v: r.dot(arrival.at.to_viewer),
             kd: arrival.material.diffuse_at(arrival.at.uv),
         })
+    }
+
+    /// P, the projected solid angle of a light as the hit of a node sees it, if its samples are chosen by that.
+    pub fn projected(self, node: u32, light: u32) -> Option<f64> {
+        let arrival = self.arrival(node)?;
+        let surface = (&arrival.at, arrival.material);
+        seen(&self.world.scene, self.settings, surface, light).map(|polygon| polygon.area)
     }
 
     /// Who asks at the hit of a node: its pixel, its sample and its path from the eye.

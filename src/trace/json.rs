@@ -12,7 +12,7 @@ use serde::{Serialize, Serializer};
 use self::node::node;
 use super::View;
 use crate::geometry::Arithmetic;
-use crate::math::{Rgb, Sampler};
+use crate::math::{LightSampling, Rgb, Sampler};
 use crate::scene::{Effect, Scene, Settings};
 use crate::shading::Fresnel;
 
@@ -68,6 +68,7 @@ struct Knobs {
     sampling: crate::scene::Sampling,
     light_samples: u32,
     sampler: Sampler,
+    light_sampling: LightSampling,
     depth: u32,
     min_weight: f64,
     seed: u64,
@@ -268,6 +269,9 @@ struct TermNode {
     intensity: Option<Rgb>,
     #[serde(skip_serializing_if = "Option::is_none")]
     n_dot_l: Option<f64>,
+    /// P of an area light whose samples all bring the same: intensity x n_dot_l = radiance x P / (pi x samples).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    projected_solid_angle: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     r_dot_v: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -421,6 +425,7 @@ fn knobs(settings: &Settings, scene: &Scene) -> Knobs {
         sampling: settings.sampling,
         light_samples: settings.light_samples,
         sampler: settings.sampler,
+        light_sampling: settings.light_sampling,
         depth: settings.depth,
         min_weight: settings.min_weight,
         seed: settings.seed,

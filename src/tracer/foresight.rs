@@ -69,9 +69,13 @@ impl Foresight {
             let at = scene.interaction(ray, hit);
             let material = scene.material_of(hit.primitive);
             let asker = Asker::eye(self.pixels[place], 0);
-            if let Ok(Question { ray, lit, .. }) =
-                question(scene, settings, asker, (&at, material), (light as u32, 0))
-            {
+            if let Ok(Question { ray, lit, .. }) = question(
+                scene,
+                settings,
+                asker,
+                (&at, material, None),
+                (light as u32, 0),
+            ) {
                 places.push(place);
                 rays.push((ray, Interval::before(lit.distance)));
             }

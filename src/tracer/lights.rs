@@ -2,10 +2,10 @@
 
 use crate::math::points::Run;
 use crate::math::sampler::light_run;
-use crate::math::{DVec3, Interval, Ray, Sampler};
+use crate::math::{Interval, LightSampling, Ray, Rgb, Sampler};
 use crate::probe::Absence;
 use crate::scene::{Effect, Scene, Settings, World};
-use crate::shading::{Illumination, Interaction, Material};
+use crate::shading::{Illumination, Interaction, Material, Projected, Source};
 
 /// Who asks: each has points on the lights of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,21 +86,51 @@ pub fn samples(scene: &Scene, settings: &Settings, light: u32) -> u32 {
     }
 }
 
+/// What is the same for all samples of a light at one place: its polygon as the place sees it, if places on the light
+/// are chosen by that.
+///
+/// Not for highlights, which do not fall with the cosine that the polygon is weighed by; nor for the grid, which is the
+/// lecture's: points on the light, side by side.
+pub fn seen(
+    scene: &Scene,
+    settings: &Settings,
+    (at, m): (&Interaction, &Material),
+    light: u32,
+) -> Option<Projected> {
+    let Source::Area(area) = &scene.lights[light as usize].source else {
+        return None;
+    };
+    let by_what_it_brings = settings.light_sampling == LightSampling::Projected
+        && settings.sampler != Sampler::Grid
+        && settings.effects.has(Effect::SoftShadows)
+        && m.specular.is_black();
+    if !by_what_it_brings || m.diffuse_at(at.uv).is_black() {
+        return None;
+    }
+    area.projected(at.point, at.normal)
+}
+
 /// The light as `at` sees it; of an area, what one sample adds to the mean.
 pub fn illumination(
     scene: &Scene,
     settings: &Settings,
     asker: Asker,
-    point: DVec3,
+    (at, projected): (&Interaction, Option<&Projected>),
     (light, sample): (u32, u32),
 ) -> Option<Illumination> {
     let source = &scene.lights[light as usize].source;
-    if !source.is_area() {
-        return source.at(point, [0.0; 2]);
-    }
-    let seen = source.at(point, asker.point(settings, light, sample))?;
+    let Source::Area(area) = source else {
+        return source.at(at.point, [0.0; 2]);
+    };
+    let u = asker.point(settings, light, sample);
+    let seen = match projected {
+        Some(polygon) => area.sample_projected((at.point, at.normal), polygon, u)?,
+        None => area.sample(at.point, u)?,
+    };
+    let share = 1.0 / f64::from(settings.rays_to_area());
     Some(Illumination {
-        intensity: seen.intensity * (1.0 / f64::from(settings.rays_to_area())),
+        intensity: seen.intensity * share,
+        irradiance: seen.irradiance.map(|e: Rgb| e * share),
         ..seen
     })
 }
@@ -110,13 +140,13 @@ pub fn question(
     scene: &Scene,
     settings: &Settings,
     asker: Asker,
-    (at, m): (&Interaction, &Material),
+    (at, m, projected): (&Interaction, &Material, Option<&Projected>),
     light: (u32, u32),
 ) -> Result<Question, Absence> {
     if m.diffuse_at(at.uv).is_black() && m.specular.is_black() {
         return Err(Absence::NoLocalLight);
     }
-    let Some(lit) = illumination(scene, settings, asker, at.point, light) else {
+    let Some(lit) = illumination(scene, settings, asker, (at, projected), light) else {
         return Err(Absence::FacingAway { n_dot_l: 0.0 });
     };
     // The light must be before the surface by both normals, or light would leak through a smooth mesh's back.

@@ -10,7 +10,7 @@ use super::lights::{self, Asker, Bundle, Question};
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
 use crate::scene::{Effect, Settings, World};
-use crate::shading::{Entered, Interaction, Material, optics, phong};
+use crate::shading::{Entered, Interaction, Material, Projected, optics, phong};
 use arrive::Arrival;
 
 /// Rays nest at most this deep, whatever depth was asked for: recursion has to end before the stack does.
@@ -47,6 +47,9 @@ struct Path<'f> {
     /// Answers that were found ahead, for silent eye rays.
     foreseen: Option<Foreseen<'f>>,
 }
+
+/// A place, its material, and how it sees the light in question.
+type Surface<'s> = (&'s Interaction, &'s Material, Option<&'s Projected>);
 
 /// What a surface does with a ray that arrived: the two directions and their shares.
 struct Split {
@@ -134,20 +137,23 @@ impl<'a, P: Probe> Tracer<'a, P> {
 
     /// One light: a shadow ray to it, many to an area, and for each that arrives the diffuse and the specular term.
     fn light(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, m: &Material, light: u32) {
-        let count = lights::samples(&self.world.scene, self.settings, light);
+        let (scene, settings) = (&self.world.scene, self.settings);
+        let count = lights::samples(scene, settings, light);
+        let projected = lights::seen(scene, settings, (at, m), light);
+        let surface = (at, m, projected.as_ref());
         if !P::LISTENS && count > 1 && self.settings.effects.has(Effect::Shadows) {
-            return self.light_in_a_bundle(sum, path, (at, m), light, count);
+            return self.light_in_a_bundle(sum, path, surface, light, count);
         }
         if count > 1 {
             let samples = count;
             self.probe.event(Event::Bundle { light, samples });
         }
         for sample in 0..count {
-            let Some(question) = self.question(path, (at, m), (light, sample)) else {
+            let Some(question) = self.question(path, surface, (light, sample)) else {
                 continue;
             };
             if !self.shadowed(path, (light, sample), &question) {
-                self.lit(sum, (at, m), (light, sample), &question);
+                self.lit(sum, surface, (light, sample), &question);
             }
         }
     }
@@ -157,7 +163,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
         &mut self,
         sum: &mut Rgb,
         path: &Path,
-        surface: (&Interaction, &Material),
+        surface: Surface,
         light: u32,
         count: u32,
     ) {
@@ -177,12 +183,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
     }
 
     /// What is to be asked of a sample of a light, if anything.
-    fn question(
-        &mut self,
-        path: &Path,
-        surface: (&Interaction, &Material),
-        light: (u32, u32),
-    ) -> Option<Question> {
+    fn question(&mut self, path: &Path, surface: Surface, light: (u32, u32)) -> Option<Question> {
         let scene = &self.world.scene;
         let asked = lights::question(scene, self.settings, path.asker, surface, light);
         let allowed = asked.and_then(|question| {
@@ -243,15 +244,13 @@ impl<'a, P: Probe> Tracer<'a, P> {
     }
 
     /// What a light adds that nothing stands before.
-    fn lit(
-        &mut self,
-        sum: &mut Rgb,
-        (at, m): (&Interaction, &Material),
-        light: (u32, u32),
-        question: &Question,
-    ) {
+    fn lit(&mut self, sum: &mut Rgb, (at, m, _): Surface, light: (u32, u32), question: &Question) {
         let Question { lit, n_dot_l, .. } = question;
-        let diffuse = phong::diffuse(m.diffuse_at(at.uv), lit.intensity, *n_dot_l);
+        let kd = m.diffuse_at(at.uv);
+        let diffuse = match lit.irradiance {
+            Some(irradiance) => kd * irradiance,
+            None => phong::diffuse(kd, lit.intensity, *n_dot_l),
+        };
         self.add(sum, Term::Diffuse, light, diffuse);
         if !m.specular.is_black() && self.settings.effects.has(Effect::Highlights) {
             let r = optics::reflect(-lit.direction, at.normal);

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::math::Sampler;
+use crate::math::{LightSampling, Sampler};
 use crate::scene::Sampling;
 use crate::shading::Fresnel;
 
@@ -23,6 +23,8 @@ pub struct SettingsFile {
     pub light_samples: Option<u32>,
     /// Where on the light they go.
     pub sampler: Option<Sampler>,
+    /// In proportion to what.
+    pub light_sampling: Option<LightSampling>,
     /// How many times a ray may bounce.
     pub depth: Option<u32>,
     /// Rays that could add less than this to the pixel are not sent.

@@ -1,6 +1,6 @@
 //! Surfaces: where a ray arrived, and the terms of the shading equation.
 
-use super::super::{Arrival, View};
+use super::super::{Arrival, Lighting, View};
 use super::{Explanation, degrees, num, ray, rgb, vec3};
 use crate::geometry::{Hit, Offset};
 use crate::math::{Ray, Rgb};
@@ -102,6 +102,14 @@ fn base_term(view: View, node: u32, term: Term, light: (u32, u32)) -> Explanatio
         .color("Ka", arrival.material.ambient_at(arrival.at.uv))
         .color("Ia", view.world.scene.ambient)
         .row("", "Ka Ia"),
+        (Term::Diffuse, Some(_), Some(Lighting { light: seen, projected: Some(area), kd, .. })) => Explanation::new(
+            format!("diffuse term of `{name}`"),
+            "The place on the light was chosen in proportion to what it brings, so every sample brings the same: the whole light's share.",
+        )
+        .color("Kd", kd)
+        .row("P", format!("{}, the light's projected solid angle", num(area)))
+        .color("Le P / (pi samples)", seen.irradiance.unwrap_or(Rgb::BLACK))
+        .row("", "Kd Le P / (pi samples)"),
         (Term::Diffuse, Some(arrival), Some(l)) => Explanation::new(
             format!("diffuse term of `{name}`"),
             "A matt surface is the brighter the straighter the light falls on it, seen from everywhere alike.",
@@ -150,6 +158,7 @@ pub fn bundle(view: View, node: u32, light: u32) -> Explanation {
         format!("{n}, chosen by the sampler `{}`", view.settings.sampler.name()),
     )
     .row("lit", format!("{} of {n}", bundle.lit))
+    .row("chosen", in_proportion_to(view, node, light))
     .row("blocked", bundle.blocked.to_string())
     .row("not sent", format!("{}: no light comes from there", bundle.absent))
     .color("mean", bundle.mean);
@@ -207,6 +216,17 @@ pub fn passed(view: View, node: u32, hit: &Hit, medium: u32) -> Explanation {
         "priorities",
         format!("{}, {}", priority(object), priority(medium)),
     )
+}
+
+/// How places on a light are chosen at the hit of a node.
+fn in_proportion_to(view: View, node: u32, light: u32) -> String {
+    match view.projected(node, light) {
+        Some(area) => format!(
+            "by what they bring: all the same, with a projected solid angle P = {}",
+            num(area)
+        ),
+        None => "by the light's area".to_owned(),
+    }
 }
 
 /// A transparent surface shares light between R and T.

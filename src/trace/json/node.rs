@@ -159,6 +159,7 @@ fn term_node(
             kd: lighting.map(|l| l.kd),
             intensity,
             n_dot_l: lighting.map(|l| l.n_dot_l),
+            projected_solid_angle: lighting.and_then(|l| l.projected),
             ..plain
         },
         Term::Specular => TermNode {

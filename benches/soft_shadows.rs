@@ -1,0 +1,146 @@
+//! What an area light costs for how much noise: every way to sample it, at equal rays, on whole pictures.
+//!
+//! `cargo bench --bench soft_shadows`; `-- --size N` for pictures of N x N pixels (64).
+
+#[path = "common/table.rs"]
+mod table;
+
+use std::time::Instant;
+
+use raytree::accel::AccelKind;
+use raytree::lab::Reference;
+use raytree::lab::error::errors;
+use raytree::math::{LightSampling, Sampler};
+use raytree::probe::Silent;
+use raytree::scene::{self, Sampling, Settings, World};
+use raytree::tracer::{Film, Flow, render};
+
+use table::{markdown, median};
+
+/// How often each contestant draws.
+const ROUNDS: usize = 5;
+
+/// Samples a pixel; each asks each light once.
+const SAMPLES: u32 = 16;
+
+/// Samples a pixel of the reference, with another seed.
+const REFERENCE: u32 = 1024;
+
+/// The bunny on a floor below a lamp of 1.5 x 1.5, all matt, without any other light.
+const BUNNY: &str = r#"{
+  "format": "raytree-scene/1", "name": "bunny-lamp", "background": [0, 0, 0], "ambient": [0, 0, 0],
+  "camera": {"eye": [0.5, 1.9, 4.6], "look_at": [0, 0.92, 0], "vertical_fov": 33},
+  "materials": {
+    "clay": {"diffuse": [0.72, 0.5, 0.36]}, "floor": {"diffuse": [0.7, 0.7, 0.68]},
+    "lamp": {"diffuse": [0, 0, 0], "emission": [9, 8.6, 8]}
+  },
+  "lights": [{"area": {"name": "lamp", "object": "lamp"}}],
+  "objects": [
+    {"quad": {"name": "lamp", "material": "lamp", "corner": [-0.75, 3.2, -0.75], "u": [1.5, 0, 0], "v": [0, 0, 1.5]}},
+    {"obj": {"name": "bunny", "material": "clay", "file": "bunny.obj"}},
+    {"quad": {"name": "floor", "material": "floor", "corner": [-5, 0, 5], "u": [10, 0, 0], "v": [0, 0, -10]}}
+  ]
+}"#;
+
+/// The bunny's world.
+fn bunny() -> World {
+    let folder = tempfile::tempdir().expect("a folder");
+    let put = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("room on the disk");
+        path
+    };
+    put("bunny.obj", include_str!("../scenes/bunny.obj"));
+    let path = put("scene.json", BUNNY);
+    let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
+    World::new(scene, AccelKind::Wide)
+}
+
+/// A picture and the seconds that it took one thread.
+fn draw(world: &World, settings: &Settings, threads: usize) -> (Film, f64) {
+    let start = Instant::now();
+    let (film, _) = render::<Silent>(world, settings, threads, &|_, _| Flow::Continue);
+    assert!(!film.cut, "nothing is left out");
+    (film, start.elapsed().as_secs_f64())
+}
+
+/// A row for each way: rays, seconds, error, and error x root of seconds, which more samples leave alone.
+fn ways(world: &World, size: u32) -> String {
+    let base = Settings {
+        width: size,
+        height: size,
+        samples: SAMPLES,
+        light_samples: 1,
+        sampling: Sampling::Jittered,
+        ..Settings::default()
+    };
+    let reference = Settings {
+        samples: REFERENCE,
+        seed: 99,
+        ..base
+    };
+    let reference = Reference::new(draw(world, &reference, 0).0, 1.0);
+    let ways: Vec<_> = Sampler::ALL
+        .into_iter()
+        .flat_map(|sampler| LightSampling::ALL.map(|by| (sampler, by)))
+        .filter(|way| *way != (Sampler::Grid, LightSampling::Projected))
+        .collect();
+    let mut draws = vec![Vec::new(); ways.len()];
+    for seed in 0..ROUNDS as u64 {
+        for ((sampler, light_sampling), draws) in ways.iter().zip(&mut draws) {
+            let settings = Settings {
+                sampler: *sampler,
+                light_sampling: *light_sampling,
+                seed,
+                ..base
+            };
+            let (film, seconds) = draw(world, &settings, 1);
+            let error = errors(&film, &reference, 1.0).expect("the same size").rmse;
+            draws.push((film.rays, seconds, error));
+        }
+    }
+    let head = [
+        "sampler",
+        "places by",
+        "Mrays",
+        "seconds",
+        "RMSE",
+        "RMSE x s^1/2",
+    ]
+    .map(String::from);
+    let row = |((sampler, by), draws): (&(Sampler, LightSampling), &Vec<(u64, f64, f64)>)| {
+        let seconds = median(draws.iter().map(|d| d.1));
+        let squares: f64 = draws.iter().map(|d| d.2 * d.2).sum();
+        let error = (squares / draws.len() as f64).sqrt();
+        vec![
+            sampler.name().to_owned(),
+            by.name().to_owned(),
+            format!("{:.2}", draws[0].0 as f64 / 1e6),
+            format!("{seconds:.3}"),
+            format!("{error:.5}"),
+            format!("{:.5}", error * seconds.sqrt()),
+        ]
+    };
+    let rows: Vec<_> = ways.iter().zip(&draws).map(row).collect();
+    markdown(&head, &rows)
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    // `cargo test` runs this program as well, without the flag.
+    if !arguments.iter().any(|a| a == "--bench") {
+        return;
+    }
+    let size = arguments.iter().skip_while(|a| *a != "--size").nth(1);
+    let size = size.map_or(64, |n| n.parse().expect("a number of pixels"));
+    println!(
+        "{size}x{size} pixels, {SAMPLES} samples, one ray to the light each, one thread, {ROUNDS} rounds in turns."
+    );
+    let soft_shadow = World::new(
+        scene::load("soft-shadow").expect("built in"),
+        AccelKind::List,
+    );
+    for (name, world) in [("bunny", bunny()), ("soft-shadow", soft_shadow)] {
+        println!("\n{name}\n\n{}", ways(&world, size));
+    }
+}
