@@ -1,5 +1,6 @@
 //! The command line: one file a command.
 
+mod again;
 mod color;
 mod cost;
 mod effects;

@@ -8,6 +8,7 @@ pub mod front;
 pub mod knobs;
 pub mod plot;
 pub mod stability;
+pub mod until;
 
 pub use cost::{Lab, Measured, Sweep};
 pub use effort::{Effort, Price, affordable};

@@ -18,6 +18,7 @@ mod mesh;
 mod nearest;
 mod obj;
 mod resolve;
+pub mod sampling;
 pub mod settings;
 mod sketch;
 mod solids;
@@ -30,7 +31,8 @@ pub use error::SceneError;
 pub use flags::flags;
 pub use generated::list as generated;
 pub use load::{list, load};
-pub use settings::{Sampling, Settings};
+pub use sampling::{Adaptive, Pilot, Sampling};
+pub use settings::Settings;
 pub use world::World;
 
 use crate::geometry::{Arithmetic, Hit, Shape};

@@ -60,11 +60,15 @@ pub fn trace_pixel(
     (x, y): (u32, u32),
     traversal: bool,
 ) -> PixelTrace {
+    let settings = Settings {
+        errors: true,
+        ..*settings
+    };
     let (pixel, tree) = on_threads(1, || {
         if traversal {
-            record(Recorder::<true>::default(), world, settings, (x, y))
+            record(Recorder::<true>::default(), world, &settings, (x, y))
         } else {
-            record(Recorder::<false>::default(), world, settings, (x, y))
+            record(Recorder::<false>::default(), world, &settings, (x, y))
         }
     });
     PixelTrace { x, y, pixel, tree }

@@ -9,9 +9,11 @@ pub mod foresight;
 pub mod lights;
 pub mod picture;
 pub mod pixel;
+pub mod samples;
+pub mod spread;
 pub mod stack;
 pub mod whitted;
 
-pub use film::{Film, Flow, render};
+pub use film::{Film, Flow, Spoiled, render};
 pub use pixel::{Pixel, pixel};
 pub use stack::on_threads;

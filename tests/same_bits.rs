@@ -1,9 +1,9 @@
 //! One picture: the same bits for any number of threads, any accelerator, with and without listening.
 
 use raytree::accel::AccelKind;
-use raytree::math::Rgb;
+use raytree::math::{Filter, Rgb, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Sampling, Settings, World};
+use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings, World};
 use raytree::trace::{Counts, ledger, trace_pixel};
 use raytree::tracer::{Film, Flow, render};
 
@@ -79,21 +79,95 @@ fn listening_changes_nothing() {
     }
 }
 
+/// All that can be asked of the samples of a pixel.
+fn ways_to_sample(base: Settings) -> Vec<Settings> {
+    let mut ways = Vec::new();
+    let adaptive = |pilot| {
+        Some(Adaptive {
+            threshold: 0.02,
+            most: 40,
+            pilot,
+        })
+    };
+    let plans = [
+        (1, None),
+        (3, None),
+        (1, adaptive(Pilot::Kept)),
+        (1, adaptive(Pilot::Apart)),
+    ];
+    for sampling in Sampling::ALL {
+        for filter in Filter::ALL {
+            for (sets, adaptive) in plans {
+                let sampler = if sampling == Sampling::Jittered {
+                    Sampler::Stratified
+                } else {
+                    base.sampler
+                };
+                ways.push(Settings {
+                    samples: 5,
+                    sets,
+                    sampling,
+                    filter,
+                    filter_radius: filter.usual_radius(),
+                    adaptive,
+                    light_samples: 2,
+                    sampler,
+                    errors: true,
+                    ..base
+                });
+            }
+        }
+    }
+    ways
+}
+
 #[test]
-fn jittered_samples_are_the_same_on_every_thread_and_change_with_the_seed() {
-    let settings = Settings {
-        samples: 4,
-        sampling: Sampling::Jittered,
-        ..settings_of("whitted", 40, 30)
-    };
-    let world = World::new(scene::load("whitted").expect("built in"), settings.accel);
-    let one = film(&world, &settings, 1);
-    assert_eq!(one, film(&world, &settings, 8));
-    let other = Settings {
-        seed: 1,
-        ..settings
-    };
-    assert_ne!(one, film(&world, &other, 8));
+fn however_samples_are_chosen_the_replay_is_the_picture() {
+    let base = settings_of("soft-shadow", 18, 17);
+    let scene = scene::load("soft-shadow").expect("built in");
+    let [wide, list] = [AccelKind::Wide, AccelKind::List].map(|k| World::new(scene.clone(), k));
+    let mut adapted = 0;
+    for settings in ways_to_sample(base) {
+        let picture = film(&wide, &settings, 1);
+        assert_eq!(picture, film(&list, &settings, 8), "{settings:?}");
+        adapted += usize::from(picture.samples.iter().any(|n| *n > 10));
+        for (x, y) in [(9, 9), (4, 13), (17, 16)] {
+            let trace = trace_pixel(&list, &settings, (x, y), false);
+            assert_eq!(
+                bits(&[trace.pixel.color]),
+                bits(&[picture.at(x, y)]),
+                "{settings:?}"
+            );
+            assert_eq!(
+                bits(&[ledger::pixel_sum(&trace)]),
+                bits(&[picture.at(x, y)])
+            );
+            let index = (y * 18 + x) as usize;
+            assert_eq!(trace.pixel.error.to_bits(), picture.errors[index].to_bits());
+            assert_eq!(trace.tree.samples.len(), trace.pixel.samples as usize);
+        }
+    }
+    assert!(
+        adapted > 20,
+        "most adaptive pictures have pixels with more samples: {adapted}"
+    );
+}
+
+#[test]
+fn samples_by_chance_change_with_the_seed() {
+    for sampling in [Sampling::Random, Sampling::Jittered, Sampling::Sobol] {
+        let settings = Settings {
+            samples: 4,
+            sampling,
+            ..settings_of("whitted", 40, 30)
+        };
+        let world = World::new(scene::load("whitted").expect("built in"), settings.accel);
+        let other = Settings {
+            seed: 1,
+            ..settings
+        };
+        assert_ne!(film(&world, &settings, 2), film(&world, &other, 2));
+    }
 }
 
 #[test]

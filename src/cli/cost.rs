@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::again::quoted;
 use super::settings::SceneArgs;
 use super::{Done, Failure, output};
 use crate::accel::fastest;
@@ -131,8 +132,8 @@ impl Cost {
         Settings {
             width,
             height,
-            samples: args.samples.unwrap_or(1),
-            sampling: if args.sampling.is_some() {
+            samples: args.samples.samples.unwrap_or(1),
+            sampling: if args.samples.sampling.is_some() {
                 asked.sampling
             } else {
                 Sampling::Regular
@@ -175,7 +176,7 @@ impl Cost {
         for (flag, value) in [
             ("samples", base.samples.to_string()),
             ("light-samples", base.light_samples.to_string()),
-            ("sampling", format!("{:?}", base.sampling).to_lowercase()),
+            ("sampling", base.sampling.name().to_owned()),
         ] {
             if said.iter().all(|(name, _)| *name != flag) {
                 said.push((flag, value));
@@ -234,15 +235,6 @@ fn progress_bar(steps: usize) -> ProgressBar {
         bar.set_style(style);
     }
     bar
-}
-
-/// As a shell takes it for one word.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "-_./:,+=@%".contains(c);
-    if !word.is_empty() && word.chars().all(plain) {
-        return word.to_owned();
-    }
-    format!("'{}'", word.replace('\'', "'\\''"))
 }
 
 fn parse_budget(text: &str) -> Result<f64, String> {

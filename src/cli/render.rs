@@ -1,5 +1,9 @@
 //! `raytree render`: the picture.
 
+mod files;
+mod report;
+mod stats;
+
 use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -10,12 +14,14 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::settings::SceneArgs;
-use super::{ColorArg, Done, Failure, output};
+use super::settings::samples::parse_positive;
+use super::{ColorArg, Done, Failure, again, output};
 use crate::accel::fastest;
+use crate::lab::until::{self, End, Found};
 use crate::probe::Silent;
-use crate::scene::{Settings, World};
+use crate::scene::{Sampling, Settings, World};
 use crate::trace::Counts;
-use crate::tracer::picture::{pfm, png, text};
+use crate::tracer::picture::text;
 use crate::tracer::{Film, Flow, render};
 
 /// What is said when a limit cut a picture short.
@@ -34,6 +40,16 @@ pub struct Render {
     /// With --stats: as JSON on standard output (needs -o)
     #[arg(long, requires = "stats", requires = "output")]
     json: bool,
+    /// Take more and more samples until the picture's estimated error (the root of the mean square of the pixels'
+    /// standard errors of linear luminance) is at most this; --max-rays bounds all tries together
+    #[arg(long, value_name = "E", value_parser = parse_positive, conflicts_with_all = ["adaptive", "sets", "stats"])]
+    until_error: Option<f64>,
+    /// Also draw each pixel's estimated standard error: .pfm as numbers, else a PNG file, white for the largest
+    #[arg(long, value_name = "FILE")]
+    error_map: Option<PathBuf>,
+    /// Also draw how many samples each pixel took: black for the fewest, white for the most, even steps where they double
+    #[arg(long, value_name = "FILE.png", requires = "adaptive")]
+    sample_map: Option<PathBuf>,
     /// Colours of the text picture
     #[arg(long, value_enum, default_value_t = ColorArg::Auto)]
     color: ColorArg,
@@ -41,35 +57,54 @@ pub struct Render {
     scene: SceneArgs,
 }
 
+/// What a render made.
+struct Made {
+    film: Film,
+    /// With which it can be made again.
+    settings: Settings,
+    counts: Option<Counts>,
+    /// If it was to come near enough, how it did.
+    found: Option<Found>,
+}
+
 impl Render {
     pub fn run(&self) -> Result<Done, Failure> {
-        let (world, mut settings) = self.scene.load(fastest)?;
-        if self.output.is_none() && self.scene.settings.size.is_none() {
-            (settings.width, settings.height) = size_of_terminal(&settings);
-        }
+        let (world, settings) = self.scene.load(fastest)?;
+        let settings = self.wanted(settings)?;
         let interrupted = Arc::new(AtomicBool::new(false));
         on_interrupt(&interrupted);
         let start = Instant::now();
-        let (film, counts) = self.film(&world, &settings, &interrupted);
+        let made = self.film(&world, &settings, &interrupted);
         let seconds = start.elapsed().as_secs_f64();
 
+        let Made { film, settings, .. } = &made;
         if let Some(path) = &self.output {
-            let is_pfm = path
-                .extension()
-                .is_some_and(|e| e.eq_ignore_ascii_case("pfm"));
-            let bytes = if is_pfm {
-                Ok(pfm::encode(&film))
-            } else {
-                png::encode(&film, settings.exposure).map_err(std::io::Error::other)
-            };
-            output::write(Some(path), |out| out.write_all(&bytes?))?;
+            files::picture(path, film, settings.exposure)?;
         } else {
             let level = self.color.level();
-            let picture = text::lines(&film, settings.exposure, level);
+            let picture = text::lines(film, settings.exposure, level);
             output::to_stdout(picture.as_bytes())?;
         }
-        if let Some(counts) = counts {
-            self.tell(&settings, &counts, seconds)?;
+        if let Some(path) = &self.error_map {
+            files::errors(path, film)?;
+        }
+        if let Some(path) = &self.sample_map {
+            files::samples(path, film)?;
+        }
+        if let Some(counts) = &made.counts {
+            stats::tell(settings, counts, seconds, self.json)?;
+        }
+        let name = &self.scene.scene;
+        if let (Some(found), Some(wanted)) = (&made.found, self.until_error) {
+            eprint!("{}", report::tries(found, wanted, (name, &world.scene)));
+        }
+        if let Some(((x, y), sample)) = film.spoiled.first {
+            let count = film.spoiled.count;
+            let words = again::words(name, settings, &world.scene);
+            eprintln!(
+                "warning: samples without a finite radiance: {count}; they count as black. The first is sample {sample} \
+of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
+            );
         }
         if interrupted.load(Ordering::Relaxed) {
             eprintln!("warning: interrupted: the tiles that were not reached are black");
@@ -79,16 +114,34 @@ impl Render {
             eprintln!("warning: {CUT}");
             return Ok(Done::Cut);
         }
-        Ok(Done::Whole)
+        let missed = made.found.is_some_and(|found| found.end != End::Reached);
+        Ok(if missed { Done::Cut } else { Done::Whole })
+    }
+
+    /// The settings with what the flags of this command say.
+    fn wanted(&self, settings: Settings) -> Result<Settings, Failure> {
+        let mut wanted = Settings {
+            errors: self.error_map.is_some(),
+            ..settings
+        };
+        if self.until_error.is_some() && settings.sampling == Sampling::Regular {
+            if self.scene.settings.samples.sampling.is_some() {
+                return Err(Failure::Usage(
+                    "--until-error: regular samples have no chance in them, so nothing tells how wrong they are; \
+choose --sampling random, jittered or sobol"
+                        .to_owned(),
+                ));
+            }
+            wanted.sampling = Sampling::Sobol;
+        }
+        if self.output.is_none() && self.scene.settings.size.is_none() {
+            (wanted.width, wanted.height) = size_of_terminal(&settings);
+        }
+        Ok(wanted)
     }
 
     /// Renders with a progress bar; counting costs a little, so it is done only if somebody asks.
-    fn film(
-        &self,
-        world: &World,
-        settings: &Settings,
-        stop: &AtomicBool,
-    ) -> (Film, Option<Counts>) {
+    fn film(&self, world: &World, settings: &Settings, stop: &AtomicBool) -> Made {
         let bar = progress_bar(settings);
         let rays = std::sync::atomic::AtomicU64::new(0);
         let start = Instant::now();
@@ -104,54 +157,25 @@ impl Render {
             }
         };
         let threads = self.scene.settings.threads;
-        let done = if self.stats {
+        let mut made = Made {
+            film: Film::default(),
+            settings: *settings,
+            counts: None,
+            found: None,
+        };
+        if let Some(error) = self.until_error {
+            let mut found = until::until(world, settings, error, threads, &watch);
+            (made.film, made.settings) = (std::mem::take(&mut found.film), found.settings);
+            made.found = Some(found);
+        } else if self.stats {
             let (film, counts) = render::<Counts>(world, settings, threads, &watch);
-            let sum = counts.iter().fold(Counts::default(), Counts::plus);
-            (film, Some(sum))
+            made.film = film;
+            made.counts = Some(counts.iter().fold(Counts::default(), Counts::plus));
         } else {
-            (render::<Silent>(world, settings, threads, &watch).0, None)
-        };
-        bar.finish_and_clear();
-        done
-    }
-
-    /// The counters and times.
-    fn tell(&self, settings: &Settings, counts: &Counts, seconds: f64) -> Result<Done, Failure> {
-        let Counts {
-            incident,
-            light,
-            reflected,
-            transmitted,
-            passed,
-            nodes,
-            tests,
-            hits,
-        } = *counts;
-        if self.json {
-            let stats = serde_json::json!({
-                "image": { "width": settings.width, "height": settings.height },
-                "accel": settings.accel.name(),
-                "rays": { "I": incident, "L": light, "R": reflected, "T": transmitted, "passed": passed },
-                "nodes": nodes, "tests": tests, "hits": hits, "seconds": seconds,
-            });
-            return output::to_stdout(format!("{stats:#}\n").as_bytes());
+            made.film = render::<Silent>(world, settings, threads, &watch).0;
         }
-        let rays = counts.rays();
-        let per_ray = |n: u64| n as f64 / rays.max(1) as f64;
-        let straight_on = match passed {
-            0 => String::new(),
-            n => format!(", {n} straight on"),
-        };
-        eprintln!(
-            "rays    {rays} (I {incident}, L {light}, R {reflected}, T {transmitted}{straight_on})"
-        );
-        eprintln!("nodes   {nodes} ({:.1} a ray)", per_ray(nodes));
-        eprintln!("tests   {tests} ({:.1} a ray, {hits} hits)", per_ray(tests));
-        eprintln!(
-            "time    {seconds:.3} s ({:.2} million rays/s)",
-            rays as f64 / seconds / 1e6
-        );
-        Ok(Done::Whole)
+        bar.finish_and_clear();
+        made
     }
 }
 

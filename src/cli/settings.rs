@@ -1,15 +1,18 @@
 //! The flags that several commands share.
 
+pub mod samples;
+
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
+use self::samples::SampleArgs;
 use super::Failure;
 use crate::accel::AccelKind;
 use crate::accel::fastest;
 use crate::geometry::{Arithmetic, Offset, Precision, Quadratic, Shape, TriangleTest};
 use crate::math::{LightSampling, Sampler};
 use crate::scene::effects::effects;
-use crate::scene::{Effect, Sampling, Scene, Settings, World, limits};
+use crate::scene::{Effect, Scene, Settings, World, limits};
 use crate::shading::Fresnel;
 
 /// What decides on the accelerator if the user does not.
@@ -31,12 +34,6 @@ pub struct SettingsArgs {
     /// Size of the picture in pixels [default: 320x240]
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub size: Option<(u32, u32)>,
-    /// Samples a pixel
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(limits::MAX_SAMPLES)))]
-    pub samples: Option<u32>,
-    /// Where the samples of a pixel lie
-    #[arg(long, value_enum)]
-    pub sampling: Option<SamplingArg>,
     /// Shadow rays to an area light, a hit
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(limits::MAX_LIGHT_SAMPLES)))]
     pub light_samples: Option<u32>,
@@ -75,6 +72,8 @@ pub struct SettingsArgs {
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = parse_threads)]
     pub threads: usize,
     #[command(flatten)]
+    pub samples: SampleArgs,
+    #[command(flatten)]
     arithmetic: ArithmeticArgs,
 }
 
@@ -105,14 +104,6 @@ impl ArithmeticArgs {
             precision: self.precision.unwrap_or(asked.precision),
         }
     }
-}
-
-#[derive(ValueEnum, Clone, Copy, Debug)]
-pub enum SamplingArg {
-    /// In the middles of a grid
-    Regular,
-    /// By chance, one in each cell of a grid
-    Jittered,
 }
 
 #[derive(ValueEnum, Clone, Copy, Debug)]
@@ -161,11 +152,6 @@ impl SettingsArgs {
         Settings {
             width,
             height,
-            samples: self.samples.unwrap_or(asked.samples),
-            sampling: self.sampling.map_or(asked.sampling, |s| match s {
-                SamplingArg::Regular => Sampling::Regular,
-                SamplingArg::Jittered => Sampling::Jittered,
-            }),
             light_samples: self.light_samples.unwrap_or(asked.light_samples),
             sampler: self.sampler.map_or(asked.sampler, |s| match s {
                 SamplerArg::Grid => Sampler::Grid,
@@ -199,6 +185,7 @@ impl SettingsArgs {
             },
             arithmetic: self.arithmetic.over(asked.arithmetic),
             max_rays: self.max_rays.unwrap_or(asked.max_rays),
+            ..self.samples.over(asked)
         }
     }
 }
@@ -211,6 +198,7 @@ impl SceneArgs {
             eprintln!("warning: {warning}");
         }
         let settings = self.settings.over(&scene, accel);
+        samples::check(&settings)?;
         for effect in settings.left_out(&scene) {
             eprintln!("note: {} is left out: {}", effect.name(), effect.without());
         }

@@ -92,8 +92,7 @@ mod tests {
             width: 2,
             height: 1,
             pixels: pixels.map(Rgb::grey).to_vec(),
-            rays: 0,
-            cut: false,
+            ..Film::default()
         }
     }
 

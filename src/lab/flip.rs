@@ -295,8 +295,7 @@ mod tests {
                     Rgb::new(r, g, b)
                 })
                 .collect(),
-            rays: 0,
-            cut: false,
+            ..Film::default()
         };
         Seen::new(&film, 1.0)
     }

@@ -8,7 +8,10 @@ pub fn flags(now: &Settings, scene: &Scene) -> Vec<(&'static str, String)> {
     let values = |s: &Settings| {
         [
             ("samples", s.samples.to_string()),
-            ("sampling", word(&s.sampling)),
+            ("sets", s.sets.to_string()),
+            ("sampling", s.sampling.name().to_owned()),
+            ("filter", s.filter.name().to_owned()),
+            ("filter-radius", s.filter_radius.to_string()),
             ("light-samples", s.light_samples.to_string()),
             ("sampler", s.sampler.name().to_owned()),
             ("depth", s.depth.to_string()),
@@ -22,10 +25,18 @@ pub fn flags(now: &Settings, scene: &Scene) -> Vec<(&'static str, String)> {
     };
     let pairs = values(now).into_iter().zip(values(&scene.settings));
     let changed = pairs.filter(|(now, own)| now != own).map(|(now, _)| now);
+    let adaptive = now.adaptive.into_iter().flat_map(|adaptive| {
+        [
+            ("adaptive", adaptive.threshold.to_string()),
+            ("max-samples", adaptive.most.to_string()),
+            ("pilot", adaptive.pilot.name().to_owned()),
+        ]
+    });
     let left_out: Vec<&str> = now.left_out(scene).map(super::Effect::name).collect();
     let without = (!left_out.is_empty()).then(|| ("without", left_out.join(",")));
     let arithmetic = now.arithmetic.deviations().into_iter();
     changed
+        .chain(adaptive)
         .chain(without)
         .chain(arithmetic.map(|d| (d.choice, d.value)))
         .collect()

@@ -23,6 +23,8 @@ pub const MAX_EDGE: u32 = 16_384;
 pub const MAX_PIXELS: u64 = 64 << 20;
 /// Samples a pixel.
 pub const MAX_SAMPLES: u32 = 4096;
+/// How far from its pixel's middle a sample may lie, in pixels.
+pub const MAX_FILTER_RADIUS: f64 = 16.0;
 /// Shadow rays to an area light, a hit.
 pub const MAX_LIGHT_SAMPLES: u32 = 1 << 16;
 /// Metres from the origin, in world space; also the largest radius. Beyond, a millimetre is less than `f64` can tell.

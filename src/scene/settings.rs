@@ -1,26 +1,12 @@
 //! The knobs that change the picture.
 
-use serde::{Deserialize, Serialize};
-
 use super::Scene;
 use super::effects::{Effect, Effects, effects};
+use super::sampling::{Adaptive, Pilot, Sampling};
 use crate::accel::AccelKind;
 use crate::geometry::Arithmetic;
-use crate::math::{LightSampling, Sampler};
+use crate::math::{Filter, LightSampling, Sampler};
 use crate::shading::Fresnel;
-
-/// Where the samples of a pixel lie.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema,
-)]
-#[serde(rename_all = "kebab-case")]
-pub enum Sampling {
-    /// In the middles of a grid of cells.
-    #[default]
-    Regular,
-    /// Anywhere in each cell of the grid, by chance.
-    Jittered,
-}
 
 /// Everything that changes the picture but is not the scene itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,10 +15,20 @@ pub struct Settings {
     pub width: u32,
     /// Height of the picture in pixels.
     pub height: u32,
-    /// Samples a pixel.
+    /// Samples a pixel; the first of them if there are to be more where they are needed.
     pub samples: u32,
+    /// The sets that they are made of, each spread evenly by itself.
+    pub sets: u32,
     /// Where they lie.
     pub sampling: Sampling,
+    /// How much they count, by their distance from the pixel's middle.
+    pub filter: Filter,
+    /// How far from the middle they lie at most, along x and y, in pixels.
+    pub filter_radius: f64,
+    /// More samples where they are needed.
+    pub adaptive: Option<Adaptive>,
+    /// Whether each pixel's standard error is estimated (it never changes the picture).
+    pub errors: bool,
     /// Shadow rays to an area light, a hit.
     pub light_samples: u32,
     /// Where on the light they go.
@@ -65,7 +61,12 @@ impl Default for Settings {
             width: 320,
             height: 240,
             samples: 1,
+            sets: 1,
             sampling: Sampling::default(),
+            filter: Filter::default(),
+            filter_radius: Filter::default().usual_radius(),
+            adaptive: None,
+            errors: false,
             light_samples: 16,
             sampler: Sampler::default(),
             light_sampling: LightSampling::default(),
@@ -89,6 +90,19 @@ impl Settings {
         Effect::ALL
             .into_iter()
             .filter(move |effect| called_for.has(*effect) && !kept.has(*effect))
+    }
+
+    /// Samples of a set.
+    pub fn set_size(&self) -> u32 {
+        self.samples.div_ceil(self.sets.max(1))
+    }
+
+    /// Samples that do not count: they decide how many others there are.
+    pub fn pilot(&self) -> u32 {
+        match self.adaptive {
+            Some(adaptive) if adaptive.pilot == Pilot::Apart => self.samples,
+            _ => 0,
+        }
     }
 
     /// Shadow rays to an area light, a hit: one to its middle if soft shadows are left out.

@@ -3,18 +3,17 @@
 //! The types below are the format; the JSON Schema is generated from them. A tree is written node by node while it is
 //! visited, so a tree of a million rays needs no second copy in memory.
 
+mod knobs;
 mod node;
 
 use schemars::JsonSchema;
 use serde::ser::SerializeSeq;
 use serde::{Serialize, Serializer};
 
+use self::knobs::{Knobs, knobs};
 use self::node::node;
 use super::View;
-use crate::geometry::Arithmetic;
-use crate::math::{LightSampling, Rgb, Sampler};
-use crate::scene::{Effect, Scene, Settings};
-use crate::shading::Fresnel;
+use crate::math::Rgb;
 
 /// The value of `format`.
 pub const FORMAT: &str = "raytree/1";
@@ -33,6 +32,12 @@ pub struct Document<C> {
     settings: Knobs,
     /// What `render` puts into this pixel, bit for bit.
     color: Color,
+    /// Of the pixel's luminance, estimated from the spread of its samples; absent if nothing is known of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    standard_error: Option<f64>,
+    /// Samples whose radiance is no finite number; they count as black.
+    #[serde(skip_serializing_if = "is_zero")]
+    spoiled: u32,
     /// Events that did not fit into the log; absent if the tree is whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     truncated: Option<u64>,
@@ -60,44 +65,6 @@ struct At {
     y: u32,
 }
 
-/// Every knob that changes the picture, and the accelerator, which never does.
-#[derive(Serialize, JsonSchema)]
-#[schemars(rename = "Settings")]
-struct Knobs {
-    samples: u32,
-    sampling: crate::scene::Sampling,
-    light_samples: u32,
-    sampler: Sampler,
-    light_sampling: LightSampling,
-    depth: u32,
-    min_weight: f64,
-    seed: u64,
-    fresnel: Fresnel,
-    /// Effects that the user left out: the picture is not that of the whole scene.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    without: Vec<&'static str>,
-    exposure: f64,
-    max_rays: u64,
-    accel: &'static str,
-    /// Where the arithmetic is not raytree's own: the picture shows what goes wrong with it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    arithmetic: Option<ArithmeticKnobs>,
-}
-
-/// What shapes were tested with.
-#[derive(Serialize, JsonSchema)]
-#[schemars(rename = "Arithmetic")]
-struct ArithmeticKnobs {
-    /// "plane-edges", "moller-trumbore" or "watertight".
-    triangle: &'static str,
-    /// "none", "fixed:" and a number of metres, or "bounded".
-    offset: String,
-    /// "naive" or "stable".
-    quadratic: &'static str,
-    /// "single" or "double".
-    precision: &'static str,
-}
-
 #[derive(Serialize, JsonSchema)]
 struct Color {
     /// Linear radiance, before exposure.
@@ -112,7 +79,7 @@ struct SampleNode<C> {
     index: u32,
     /// Place on the film, in pixels from the top left corner.
     film: [f64; 2],
-    /// Factor in the pixel's sum.
+    /// Factor in the pixel's sum: the samples' radiances times their weights, added in this order, are the pixel.
     weight: f64,
     /// Absent if the log was cut before it.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -403,6 +370,8 @@ pub fn document(view: View) -> impl Serialize {
             linear: trace.pixel.color,
             srgb8: (trace.pixel.color * settings.exposure).to_srgb8(),
         },
+        standard_error: Some(trace.pixel.error).filter(|error| error.is_finite()),
+        spoiled: trace.pixel.spoiled,
         truncated: (trace.tree.dropped > 0).then_some(trace.tree.dropped),
         samples: trace
             .tree
@@ -418,27 +387,7 @@ pub fn document(view: View) -> impl Serialize {
     }
 }
 
-fn knobs(settings: &Settings, scene: &Scene) -> Knobs {
-    let arithmetic = settings.arithmetic;
-    Knobs {
-        samples: settings.samples,
-        sampling: settings.sampling,
-        light_samples: settings.light_samples,
-        sampler: settings.sampler,
-        light_sampling: settings.light_sampling,
-        depth: settings.depth,
-        min_weight: settings.min_weight,
-        seed: settings.seed,
-        fresnel: settings.fresnel,
-        without: settings.left_out(scene).map(Effect::name).collect(),
-        exposure: settings.exposure,
-        max_rays: settings.max_rays,
-        accel: settings.accel.name(),
-        arithmetic: (arithmetic != Arithmetic::default()).then(|| ArithmeticKnobs {
-            triangle: arithmetic.triangle.name(),
-            offset: arithmetic.offset.to_string(),
-            quadratic: arithmetic.quadratic.name(),
-            precision: arithmetic.precision.name(),
-        }),
-    }
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde gives a reference")]
+fn is_zero(count: &u32) -> bool {
+    *count == 0
 }

@@ -1,11 +1,13 @@
 //! The ledger: every colour accounted for, to the last bit.
 //!
 //! For each node, its terms and its weighted children, added in the order in which the tracer added them, are its
-//! radiance; the weighted roots are the pixel.
+//! radiance; the weighted roots are the pixel. Where something is no finite number there is nothing to add up: such a
+//! sample counts as black.
 
 use super::{PixelTrace, RayTree};
 use crate::math::Rgb;
 use crate::probe::{Event, RayKind, Term};
+use crate::tracer::pixel::counted;
 
 /// One summand of a node's radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +85,8 @@ pub fn sum(tree: &RayTree, id: u32) -> Rgb {
 pub fn first_open(tree: &RayTree) -> Option<u32> {
     (0..tree.nodes.len() as u32).find(|&id| {
         let node = tree.node(id);
-        node.sent.kind != RayKind::Light && sum(tree, id) != node.radiance
+        let sum = sum(tree, id);
+        node.sent.kind != RayKind::Light && sum != node.radiance && sum.is_finite()
     })
 }
 
@@ -93,6 +96,6 @@ pub fn pixel_sum(trace: &PixelTrace) -> Rgb {
         let radiance = sample
             .root
             .map_or(Rgb::BLACK, |root| trace.tree.node(root).radiance);
-        sum + radiance * sample.weight
+        sum + counted(radiance) * sample.weight
     })
 }

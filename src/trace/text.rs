@@ -26,6 +26,10 @@ impl fmt::Display for Text<'_> {
             rgb(trace.pixel.color),
             trace.pixel.rays,
         )?;
+        if trace.pixel.error.is_finite() {
+            let error = num(trace.pixel.error);
+            writeln!(f, "standard error of its luminance, estimated: {error}")?;
+        }
         for sample in &trace.tree.samples {
             if trace.tree.samples.len() > 1 {
                 writeln!(f, "sample {}, weight {}", sample.index, num(sample.weight))?;

@@ -1,10 +1,11 @@
 //! The picture: tiles of pixels, shared out to all cores.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
-use super::foresight::Foresight;
-use super::lights::Asker;
-use super::pixel::{Pixel, pixel};
+use super::foresight::{Foresight, in_blocks};
+use super::pixel::{Pixel, Sampled, pixel};
 use super::stack::on_threads;
 use crate::math::Rgb;
 use crate::probe::Probe;
@@ -14,7 +15,7 @@ use crate::scene::{Settings, World};
 pub const TILE: u32 = 16;
 
 /// A rendered picture in linear radiance.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Film {
     /// Width in pixels.
     pub width: u32,
@@ -26,6 +27,21 @@ pub struct Film {
     pub rays: u64,
     /// True if a limit cut a pixel short.
     pub cut: bool,
+    /// Samples of each pixel, in the order of `pixels`; empty if all have as many as were asked for.
+    pub samples: Vec<u32>,
+    /// The estimated standard error of each pixel's luminance; empty if nobody wanted to know.
+    pub errors: Vec<f64>,
+    /// Samples that were no finite numbers.
+    pub spoiled: Spoiled,
+}
+
+/// Samples whose radiance was no finite number; they count as black.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Spoiled {
+    /// How many.
+    pub count: u64,
+    /// The pixel of the first, and its number there.
+    pub first: Option<((u32, u32), u32)>,
 }
 
 /// What the watcher of a render wants.
@@ -49,9 +65,8 @@ pub struct Tile {
 /// A rendered tile, or one that was left out.
 struct Done<P> {
     tile: Tile,
-    colors: Vec<Rgb>,
-    rays: u64,
-    cut: bool,
+    /// The tile's own pixels; none if it was left out.
+    film: Film,
     probe: P,
 }
 
@@ -60,9 +75,10 @@ impl Tile {
     fn blank<P: Default>(self) -> Done<P> {
         Done {
             tile: self,
-            colors: Vec::new(),
-            rays: 0,
-            cut: true,
+            film: Film {
+                cut: true,
+                ..Film::default()
+            },
             probe: P::default(),
         }
     }
@@ -71,33 +87,59 @@ impl Tile {
     /// by one.
     fn render<P: Probe + Default>(self, world: &World, settings: &Settings) -> Done<P> {
         let mut probe = P::default();
-        let columns = self.x[1] - self.x[0];
-        let count = (columns * (self.y[1] - self.y[0])) as usize;
-        let mut pixels = vec![Pixel::NEW; count];
-        let place = |(x, y): (u32, u32)| ((y - self.y[0]) * columns + (x - self.x[0])) as usize;
+        let mut film = Film::black(self.size(), settings);
         if P::LISTENS || !world.accel.gains_from_bundles() {
-            for at in
-                (self.y[0]..self.y[1]).flat_map(|y| (self.x[0]..self.x[1]).map(move |x| (x, y)))
-            {
-                pixels[place(at)] = pixel(world, settings, at, &mut probe);
+            for (index, at) in self.pixels().enumerate() {
+                film.put(index, at, &pixel(world, settings, at, &mut probe));
             }
         } else {
-            let mut foresight = Foresight::default();
-            for sample in 0..settings.samples {
-                foresight.ask(world, settings, self, sample);
-                for (at, ray, foreseen) in foresight.pixels() {
-                    let asker = Asker::eye(at, sample);
-                    pixels[place(at)].add(world, settings, asker, ray, Some(foreseen), &mut probe);
-                }
+            let pixels = self.render_in_bundles(world, settings, &mut probe);
+            for (index, (at, pixel)) in self.pixels().zip(pixels).enumerate() {
+                film.put(index, at, &pixel);
             }
         }
         Done {
             tile: self,
-            colors: pixels.iter().map(|p| p.color).collect(),
-            rays: pixels.iter().map(|p| p.rays).sum(),
-            cut: pixels.iter().any(|p| p.cut),
+            film,
             probe,
         }
+    }
+
+    /// The same with what the pixels ask answered together, sample after sample.
+    fn render_in_bundles<P: Probe>(
+        self,
+        world: &World,
+        settings: &Settings,
+        probe: &mut P,
+    ) -> Vec<Pixel> {
+        let (columns, _) = self.size();
+        let index = |(x, y): (u32, u32)| ((y - self.y[0]) * columns + (x - self.x[0])) as usize;
+        let mut pixels: Vec<_> = self.pixels().map(|at| Sampled::new(settings, at)).collect();
+        let mut open = in_blocks(self);
+        let mut foresight = Foresight::default();
+        for sample in 0.. {
+            open.retain(|at| pixels[index(*at)].is_open(settings));
+            if open.is_empty() {
+                break;
+            }
+            foresight.ask(world, settings, open.iter().copied(), sample);
+            for (place, ray, foreseen) in foresight.samples() {
+                let sampled = &mut pixels[index(place.asker.pixel)];
+                sampled.add(world, settings, (place, ray), Some(foreseen), probe);
+            }
+        }
+        pixels.into_iter().map(|p| p.finish(settings)).collect()
+    }
+
+    /// Its columns and rows.
+    fn size(self) -> (u32, u32) {
+        (self.x[1] - self.x[0], self.y[1] - self.y[0])
+    }
+
+    /// Its pixels, row after row.
+    fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
+        let [first, end] = self.x;
+        (self.y[0]..self.y[1]).flat_map(move |y| (first..end).map(move |x| (x, y)))
     }
 }
 
@@ -122,7 +164,7 @@ pub fn render<P: Probe + Default + Send>(
                     return tile.blank();
                 }
                 let done = tile.render(world, settings);
-                if watch(done.colors.len() as u64, done.rays) == Flow::Stop {
+                if watch(done.film.pixels.len() as u64, done.film.rays) == Flow::Stop {
                     stopped.store(true, order);
                 }
                 done
@@ -130,18 +172,10 @@ pub fn render<P: Probe + Default + Send>(
             .collect()
     });
 
-    let mut film = Film {
-        width: settings.width,
-        height: settings.height,
-        pixels: vec![Rgb::BLACK; settings.width as usize * settings.height as usize],
-        rays: 0,
-        cut: false,
-    };
+    let mut film = Film::black(settings.size(), settings);
     let mut probes = Vec::with_capacity(results.len());
     for done in results {
-        film.place(done.tile, &done.colors);
-        film.rays += done.rays;
-        film.cut |= done.cut;
+        film.paste(done.tile, &done.film);
         probes.push(done.probe);
     }
     (film, probes)
@@ -167,11 +201,75 @@ impl Film {
         self.pixels[y as usize * self.width as usize + x as usize]
     }
 
-    fn place(&mut self, tile: Tile, colors: &[Rgb]) {
-        let columns = (tile.x[1] - tile.x[0]) as usize;
-        for (y, row) in (tile.y[0]..).zip(colors.chunks(columns)) {
-            let start = y as usize * self.width as usize + tile.x[0] as usize;
-            self.pixels[start..start + columns].copy_from_slice(row);
+    /// The root of the mean square of the pixels' estimated standard errors; `None` if nobody wanted to know them.
+    pub fn error(&self) -> Option<f64> {
+        let squares: f64 = self.errors.iter().map(|error| error * error).sum();
+        let count = self.errors.len();
+        (count > 0).then(|| (squares / count as f64).sqrt())
+    }
+
+    /// A picture that nothing was put into.
+    fn black((width, height): (u32, u32), settings: &Settings) -> Self {
+        let count = width as usize * height as usize;
+        let if_wanted = |wanted: bool| if wanted { count } else { 0 };
+        Self {
+            width,
+            height,
+            pixels: vec![Rgb::BLACK; count],
+            samples: vec![0; if_wanted(settings.adaptive.is_some())],
+            errors: vec![f64::INFINITY; if_wanted(settings.errors)],
+            ..Self::default()
+        }
+    }
+
+    /// Puts in pixel number `index`, which is the one `at` this place of the whole picture.
+    fn put(&mut self, index: usize, at: (u32, u32), pixel: &Pixel) {
+        self.pixels[index] = pixel.color;
+        if let Some(samples) = self.samples.get_mut(index) {
+            *samples = pixel.samples;
+        }
+        if let Some(error) = self.errors.get_mut(index) {
+            *error = pixel.error;
+        }
+        self.rays += pixel.rays;
+        self.cut |= pixel.cut;
+        self.spoiled = self.spoiled.plus(Spoiled {
+            count: u64::from(pixel.spoiled),
+            first: pixel.first_spoiled.map(|sample| (at, sample)),
+        });
+    }
+
+    /// Puts in a tile.
+    fn paste(&mut self, tile: Tile, film: &Self) {
+        let (columns, rows) = tile.size();
+        let columns = columns as usize;
+        for row in 0..rows as usize {
+            let from = row * columns..(row + 1) * columns;
+            let start = (tile.y[0] as usize + row) * self.width as usize + tile.x[0] as usize;
+            let to = start..start + columns;
+            copy(&mut self.pixels, to.clone(), &film.pixels, from.clone());
+            copy(&mut self.samples, to.clone(), &film.samples, from.clone());
+            copy(&mut self.errors, to, &film.errors, from);
+        }
+        self.rays += film.rays;
+        self.cut |= film.cut;
+        self.spoiled = self.spoiled.plus(film.spoiled);
+    }
+}
+
+/// Copies a range, if there is anything to copy and to copy to.
+fn copy<T: Copy>(to: &mut [T], there: Range<usize>, from: &[T], here: Range<usize>) {
+    if let (Some(to), Some(from)) = (to.get_mut(there), from.get(here)) {
+        to.copy_from_slice(from);
+    }
+}
+
+impl Spoiled {
+    /// Both, those of `self` first.
+    fn plus(self, other: Self) -> Self {
+        Self {
+            count: self.count + other.count,
+            first: self.first.or(other.first),
         }
     }
 }

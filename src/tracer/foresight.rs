@@ -5,8 +5,8 @@
 //! function that it is: it asks a foreseen question like any other, and the answer is the same to the last bit.
 
 use super::film::Tile;
-use super::lights::{Asker, Question, question};
-use super::pixel::film_position;
+use super::lights::{Question, question};
+use super::samples::{Place, place};
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
 use crate::scene::{Effect, Settings, World};
@@ -14,10 +14,10 @@ use crate::scene::{Effect, Settings, World};
 /// The edge of the blocks in which a tile's rays are put side by side: a block's rays make one bundle.
 const BLOCK: u32 = 4;
 
-/// The answers for one sample of every pixel in a tile.
+/// The answers for one sample of each of some pixels.
 #[derive(Default)]
 pub struct Foresight {
-    pixels: Vec<(u32, u32)>,
+    places: Vec<Place>,
     rays: Vec<(Ray, Interval)>,
     hits: Vec<Option<Hit>>,
     /// For each pixel, light by light: whether something stands before it; `None` where it is not asked.
@@ -35,14 +35,22 @@ pub struct Foreseen<'a> {
 }
 
 impl Foresight {
-    /// Asks for sample number `sample` of all pixels of `tile`.
-    pub fn ask(&mut self, world: &World, settings: &Settings, tile: Tile, sample: u32) {
+    /// Asks for sample number `sample` of all `pixels`.
+    pub fn ask(
+        &mut self,
+        world: &World,
+        settings: &Settings,
+        pixels: impl Iterator<Item = (u32, u32)>,
+        sample: u32,
+    ) {
         let camera = &world.scene.camera;
-        self.pixels = in_blocks(tile);
+        self.places.clear();
+        self.places
+            .extend(pixels.map(|pixel| place(settings, pixel, sample)));
         self.rays.clear();
-        self.rays.extend(self.pixels.iter().map(|&pixel| {
-            let film = film_position(settings, pixel, sample);
-            (camera.ray(film, settings.size()), Interval::FORWARD)
+        self.rays.extend(self.places.iter().map(|place| {
+            let ray = camera.ray(place.film, settings.size());
+            (ray, Interval::FORWARD)
         }));
         self.hits.clear();
         self.hits.resize(self.rays.len(), None);
@@ -68,7 +76,7 @@ impl Foresight {
             let Some(hit) = hit else { continue };
             let at = scene.interaction(ray, hit);
             let material = scene.material_of(hit.primitive);
-            let asker = Asker::eye(self.pixels[place], 0);
+            let asker = self.places[place].asker;
             if let Ok(Question { ray, lit, .. }) = question(
                 scene,
                 settings,
@@ -87,20 +95,20 @@ impl Foresight {
         }
     }
 
-    /// The pixels in the order in which they were asked for, each with its eye ray and what is foreseen of it.
-    pub fn pixels(&self) -> impl Iterator<Item = ((u32, u32), Ray, Foreseen<'_>)> {
-        (0..self.pixels.len()).map(|i| {
+    /// The samples in the order in which they were asked for, each with its eye ray and what is foreseen of it.
+    pub fn samples(&self) -> impl Iterator<Item = (&Place, Ray, Foreseen<'_>)> {
+        (0..self.places.len()).map(|i| {
             let foreseen = Foreseen {
                 hit: self.hits[i],
                 blocked: &self.blocked[i * self.lights..][..self.lights],
             };
-            (self.pixels[i], self.rays[i].0, foreseen)
+            (&self.places[i], self.rays[i].0, foreseen)
         })
     }
 }
 
 /// The pixels of a tile, block after block.
-fn in_blocks(tile: Tile) -> Vec<(u32, u32)> {
+pub fn in_blocks(tile: Tile) -> Vec<(u32, u32)> {
     let blocks = |[start, end]: [u32; 2]| {
         (start..end)
             .step_by(BLOCK as usize)

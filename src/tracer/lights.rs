@@ -70,7 +70,7 @@ impl Asker {
             key: light_run(settings.seed, self.pixel, self.path, light),
             count: match settings.sampler {
                 Sampler::Grid => here,
-                _ => here * settings.samples,
+                _ => here * settings.set_size(),
             },
         };
         settings.sampler.point(run, self.sample * here + sample)

@@ -1,114 +1,221 @@
 //! One pixel: its samples, and their weighted sum.
 
 use super::foresight::Foreseen;
-use super::lights::Asker;
+use super::samples::{Place, Weights, place};
+use super::spread::Spread;
 use super::whitted::Tracer;
-use crate::math::points::in_cell;
-use crate::math::sampler::{Dimension, uniform};
 use crate::math::{Ray, Rgb};
-use crate::probe::{Event, Probe};
-use crate::scene::{Sampling, Settings, World};
+use crate::probe::{Event, Probe, Silent};
+use crate::scene::{Pilot, Settings, World};
 
 /// A traced pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pixel {
-    /// Its linear colour: the weighted sum of its samples' radiances.
+    /// Its linear colour: the weighted sum of its samples' radiances, added in their order.
     pub color: Rgb,
     /// Rays that it cost.
     pub rays: u64,
     /// True if a limit cut it short, so that its colour is not all that was asked for.
     pub cut: bool,
+    /// Samples that it has.
+    pub samples: u32,
+    /// The estimated standard error of its luminance (see [`Spread`]); infinite if nothing is known of it.
+    pub error: f64,
+    /// Samples whose radiance was no finite number, and the first of them. They count as black.
+    pub spoiled: u32,
+    /// The number of the first of them.
+    pub first_spoiled: Option<u32>,
 }
 
-impl Pixel {
-    /// No sample yet.
-    pub const NEW: Self = Self {
-        color: Rgb::BLACK,
-        rays: 0,
-        cut: false,
-    };
+/// A pixel that is being sampled.
+pub struct Sampled {
+    at: (u32, u32),
+    pixel: Pixel,
+    /// The samples after which it is decided whether more are needed.
+    target: u32,
+    /// The weights, if the number of samples is known.
+    weights: Option<Weights>,
+    /// What the samples brought until it is.
+    kept: Vec<(Rgb, f64)>,
+    /// For the standard error, if somebody wants to know it.
+    spread: Option<Box<Spread>>,
+}
 
-    /// Adds what a sample of this weight brings along its eye ray. Rays are counted over all samples, since the
-    /// budget is the pixel's.
+/// What a sample that brought this radiance counts: a number that is none does not spread into the pixel.
+pub fn counted(radiance: Rgb) -> Rgb {
+    if radiance.is_finite() {
+        radiance
+    } else {
+        Rgb::BLACK
+    }
+}
+
+impl Default for Pixel {
+    /// No sample yet.
+    fn default() -> Self {
+        Self {
+            color: Rgb::BLACK,
+            rays: 0,
+            cut: false,
+            samples: 0,
+            error: f64::INFINITY,
+            spoiled: 0,
+            first_spoiled: None,
+        }
+    }
+}
+
+impl Sampled {
+    /// A pixel without samples.
+    pub fn new(settings: &Settings, at: (u32, u32)) -> Self {
+        let known = settings.adaptive.is_none().then_some(settings.samples);
+        Self::with(settings, at, known)
+    }
+
+    /// The same, where the number of samples may be known before.
+    fn with(settings: &Settings, at: (u32, u32), known: Option<u32>) -> Self {
+        let wanted = known.is_none() || settings.errors;
+        Self {
+            at,
+            pixel: Pixel::default(),
+            target: known.unwrap_or(settings.samples),
+            weights: known.map(|count| Weights::new(settings, at, count)),
+            kept: Vec::new(),
+            spread: wanted.then(|| Box::new(new_spread(settings))),
+        }
+    }
+
+    /// The pixel's place in the picture.
+    pub fn at(&self) -> (u32, u32) {
+        self.at
+    }
+
+    /// True if another sample is needed.
+    #[inline]
+    pub fn is_open(&mut self, settings: &Settings) -> bool {
+        self.pixel.samples < self.target || self.raise_target(settings)
+    }
+
+    /// More samples for a pixel that may have more: true if it needs them.
+    fn raise_target(&mut self, settings: &Settings) -> bool {
+        let (None, Some(adaptive)) = (self.weights, settings.adaptive) else {
+            return false;
+        };
+        let error = self.standard_error();
+        let taken = self.pixel.samples;
+        let more = match adaptive.pilot {
+            // As many again, until the error is small enough.
+            Pilot::Kept if error > adaptive.threshold && !self.pixel.cut => taken,
+            // The error falls as n^-1/2 if the samples are independent, and faster if they are not.
+            Pilot::Apart if taken == settings.pilot() => {
+                self.spread = Some(Box::new(new_spread(settings)));
+                let times = (error / adaptive.threshold).powi(2).clamp(1.0, 1e6);
+                taken.saturating_mul((times.ceil() as u32).next_power_of_two())
+            }
+            _ => 0,
+        };
+        // After a pilot at least one sample counts.
+        let most = adaptive.most.max(settings.pilot() + 1);
+        self.target = taken.saturating_add(more).min(most);
+        self.target > taken
+    }
+
+    /// Adds what a sample brings along its eye ray. Rays are counted over all samples, since the budget is the pixel's.
     #[inline]
     pub fn add<P: Probe>(
         &mut self,
         world: &World,
         settings: &Settings,
-        asker: Asker,
-        ray: Ray,
+        (place, ray): (&Place, Ray),
         foreseen: Option<Foreseen>,
         probe: &mut P,
     ) {
-        let mut tracer = Tracer::new(world, settings, probe).continuing(self.rays);
-        self.color += tracer.eye(asker, ray, foreseen) * weight(settings);
-        self.rays = tracer.rays;
-        self.cut |= tracer.cut;
+        let mut tracer = Tracer::new(world, settings, probe).continuing(self.pixel.rays);
+        let brought = tracer.eye(place.asker, ray, foreseen);
+        self.pixel.rays = tracer.rays;
+        self.pixel.cut |= tracer.cut;
+        let index = self.pixel.samples;
+        self.pixel.samples += 1;
+        let radiance = counted(brought);
+        if !brought.is_finite() {
+            self.pixel.spoiled += 1;
+            self.pixel.first_spoiled.get_or_insert(index);
+        }
+        if let Some(weights) = self.weights {
+            self.pixel.color += radiance * weights.of(index, place.sign);
+        } else {
+            self.kept.push((radiance, place.sign));
+        }
+        if let Some(spread) = &mut self.spread {
+            spread.add(radiance.luminance(), place.sign);
+        }
+    }
+
+    fn standard_error(&self) -> f64 {
+        let spread = self.spread.as_ref();
+        spread.map_or(f64::INFINITY, |spread| spread.standard_error())
+    }
+
+    /// The pixel with all its samples.
+    pub fn finish(mut self, settings: &Settings) -> Pixel {
+        self.pixel.error = self.standard_error();
+        if self.weights.is_none() {
+            let weights = Weights::new(settings, self.at, self.pixel.samples);
+            for (index, (radiance, sign)) in (0..).zip(&self.kept) {
+                self.pixel.color += *radiance * weights.of(index, *sign);
+            }
+        }
+        self.pixel
     }
 }
 
-/// The weight of each sample in its pixel's sum.
-fn weight(settings: &Settings) -> f64 {
-    1.0 / f64::from(settings.samples)
+/// Sets are groups; without them groups grow from single samples.
+fn new_spread(settings: &Settings) -> Spread {
+    Spread::new(if settings.sets > 1 {
+        settings.set_size()
+    } else {
+        1
+    })
 }
 
 /// Traces pixel (x, y) and tells `probe` of everything that happens. With any probe, on any thread, its colour is the
 /// same bit for bit.
+///
+/// Where samples decide how many there are to be, their weights are known only after the last. A probe that listens
+/// is told the truth from the first on: the pixel is traced silently before.
 #[inline]
-pub fn pixel<P: Probe>(
+pub fn pixel<P: Probe>(world: &World, settings: &Settings, at: (u32, u32), probe: &mut P) -> Pixel {
+    if P::LISTENS && settings.adaptive.is_some() {
+        let found = follow(world, settings, Sampled::new(settings, at), &mut Silent);
+        let known = Sampled::with(settings, at, Some(found.samples));
+        let told = follow(world, settings, known, probe);
+        return Pixel {
+            error: found.error,
+            ..told
+        };
+    }
+    follow(world, settings, Sampled::new(settings, at), probe)
+}
+
+/// Takes sample after sample.
+fn follow<P: Probe>(
     world: &World,
     settings: &Settings,
-    (x, y): (u32, u32),
+    mut sampled: Sampled,
     probe: &mut P,
 ) -> Pixel {
-    let mut pixel = Pixel::NEW;
-    for index in 0..settings.samples {
-        let film = film_position(settings, (x, y), index);
-        probe.event(Event::Sample {
-            index,
-            film,
-            weight: weight(settings),
-        });
-        let ray = world.scene.camera.ray(film, settings.size());
-        let asker = Asker::eye((x, y), index);
-        pixel.add(world, settings, asker, ray, None, probe);
-    }
-    pixel
-}
-
-/// Where on the film a sample lies: in its cell of a grid over the pixel, in the middle or by chance.
-pub fn film_position(settings: &Settings, (x, y): (u32, u32), index: u32) -> [f64; 2] {
-    let place = match settings.sampling {
-        Sampling::Regular => [0.5, 0.5],
-        Sampling::Jittered => [Dimension::FilmX, Dimension::FilmY]
-            .map(|dimension| uniform(settings.seed, (x, y), index, dimension)),
-    };
-    let [u, v] = in_cell(index, settings.samples, place);
-    [f64::from(x) + u, f64::from(y) + v]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn samples_fill_their_pixel_evenly() {
-        let mut settings = Settings {
-            samples: 4,
-            ..Settings::default()
-        };
-        let at = |s: &Settings| [0, 1, 2, 3].map(|i| film_position(s, (10, 20), i));
-        let regular = [
-            [10.25, 20.25],
-            [10.75, 20.25],
-            [10.25, 20.75],
-            [10.75, 20.75],
-        ];
-        assert_eq!(at(&settings), regular);
-        settings.sampling = Sampling::Jittered;
-        for (jittered, middle) in at(&settings).iter().zip(regular) {
-            assert!((jittered[0] - middle[0]).abs() <= 0.25);
-            assert!((jittered[1] - middle[1]).abs() <= 0.25);
+    while sampled.is_open(settings) {
+        let index = sampled.pixel.samples;
+        let place = place(settings, sampled.at, index);
+        if let Some(weights) = sampled.weights {
+            probe.event(Event::Sample {
+                index,
+                film: place.film,
+                weight: weights.of(index, place.sign),
+            });
         }
+        let ray = world.scene.camera.ray(place.film, settings.size());
+        sampled.add(world, settings, (&place, ray), None, probe);
     }
+    sampled.finish(settings)
 }

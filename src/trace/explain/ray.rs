@@ -12,10 +12,15 @@ pub fn sample(view: View, index: u32, [x, y]: [f64; 2], weight: f64) -> Explanat
     let (width, height) = view.settings.size();
     let (w, h) = (f64::from(width), f64::from(height));
     let tan = camera.half_height;
+    let pilot = if index < view.settings.pilot() {
+        " It only decides how many other samples there are, and does not count."
+    } else {
+        ""
+    };
     Explanation::new(
-        format!("sample {} of {}", index + 1, view.settings.samples),
+        format!("sample {} of {}", index + 1, view.trace.pixel.samples),
         format!(
-            "The film point ({}, {}) of the {width} x {height} picture decides where the eye ray goes.",
+            "The film point ({}, {}) of the {width} x {height} picture decides where the eye ray goes.{pilot}",
             num(x),
             num(y)
         ),

@@ -38,8 +38,7 @@ mod tests {
                 Rgb::grey(0.1),
                 Rgb::grey(1e300),
             ],
-            rays: 0,
-            cut: false,
+            ..Film::default()
         };
         let pfm = encode(&film);
         let header = b"PF\n2 2\n-1.0\n";

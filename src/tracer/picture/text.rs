@@ -87,8 +87,7 @@ mod tests {
             width: 2,
             height: 3,
             pixels: vec![white, black, black, white, red, red],
-            rays: 0,
-            cut: false,
+            ..Film::default()
         }
     }
 

@@ -64,6 +64,7 @@ fn a_million_rays_step_and_scroll_without_lag() {
             color: Rgb::WHITE,
             rays: 1,
             cut: false,
+            ..Pixel::default()
         },
         tree: huge(),
     };

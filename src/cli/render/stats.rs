@@ -1,0 +1,49 @@
+//! What a render counted, and how long it took.
+
+use crate::cli::{Done, Failure, output};
+use crate::scene::Settings;
+use crate::trace::Counts;
+
+/// The counters and times: for people on standard error, as JSON on standard output.
+pub fn tell(
+    settings: &Settings,
+    counts: &Counts,
+    seconds: f64,
+    json: bool,
+) -> Result<Done, Failure> {
+    let Counts {
+        incident,
+        light,
+        reflected,
+        transmitted,
+        passed,
+        nodes,
+        tests,
+        hits,
+    } = *counts;
+    if json {
+        let stats = serde_json::json!({
+            "image": { "width": settings.width, "height": settings.height },
+            "accel": settings.accel.name(),
+            "rays": { "I": incident, "L": light, "R": reflected, "T": transmitted, "passed": passed },
+            "nodes": nodes, "tests": tests, "hits": hits, "seconds": seconds,
+        });
+        return output::to_stdout(format!("{stats:#}\n").as_bytes());
+    }
+    let rays = counts.rays();
+    let per_ray = |n: u64| n as f64 / rays.max(1) as f64;
+    let straight_on = match passed {
+        0 => String::new(),
+        n => format!(", {n} straight on"),
+    };
+    eprintln!(
+        "rays    {rays} (I {incident}, L {light}, R {reflected}, T {transmitted}{straight_on})"
+    );
+    eprintln!("nodes   {nodes} ({:.1} a ray)", per_ray(nodes));
+    eprintln!("tests   {tests} ({:.1} a ray, {hits} hits)", per_ray(tests));
+    eprintln!(
+        "time    {seconds:.3} s ({:.2} million rays/s)",
+        rays as f64 / seconds / 1e6
+    );
+    Ok(Done::Whole)
+}

@@ -1,0 +1,127 @@
+//! Rendering until the picture is near enough: with more and more samples, until its estimated error is small enough.
+//!
+//! The error of a picture is the root of the mean square of its pixels' standard errors (of linear luminance): what
+//! the RMSE against the true picture is expected to be. Each try is a picture with so many samples for all pixels, from
+//! the start, so that the last one can be had again by asking for its number of samples. The samples are parted into
+//! sets, from whose differences the error is estimated (see [`crate::tracer::spread`]).
+
+use std::time::Instant;
+
+use crate::probe::Silent;
+use crate::scene::{Sampling, Settings, World, limits};
+use crate::tracer::{Film, Flow, render};
+
+/// Sets of a try: enough to tell how much they differ, and few, since samples of one set complete each other.
+pub const SETS: u32 = 8;
+
+/// How many times as many samples the next try has, at least and at most: an estimate from a few samples is uncertain.
+const GROWTH: [f64; 2] = [1.25, 4.0];
+
+/// A picture on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Try {
+    /// Samples a pixel.
+    pub samples: u32,
+    /// The estimated error.
+    pub error: f64,
+    /// Rays that it cost.
+    pub rays: u64,
+    /// Seconds that it took.
+    pub seconds: f64,
+}
+
+/// Why there was no further try.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// The error is small enough.
+    Reached,
+    /// The next try would need more rays than all tries together may cost.
+    Rays,
+    /// The next try would need more samples than a pixel can have.
+    Samples,
+    /// Somebody stopped it, or a pixel met its limit of rays.
+    Cut,
+}
+
+/// What came of it.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The last whole picture.
+    pub film: Film,
+    /// The settings that it can be had again with.
+    pub settings: Settings,
+    /// All tries, in order.
+    pub tries: Vec<Try>,
+    /// Why there was no further one.
+    pub end: End,
+}
+
+/// Renders until the error is at most `wanted`. The first try has the samples of `settings`, rounded up to whole sets;
+/// all together may cost `settings.max_rays`.
+pub fn until(
+    world: &World,
+    settings: &Settings,
+    wanted: f64,
+    threads: usize,
+    watch: &(dyn Fn(u64, u64) -> Flow + Sync),
+) -> Found {
+    let mut now = Settings {
+        samples: whole_sets(f64::from(settings.samples)),
+        sets: SETS,
+        adaptive: None,
+        errors: true,
+        ..*settings
+    };
+    let mut tries: Vec<Try> = Vec::new();
+    let mut spent = 0;
+    loop {
+        let start = Instant::now();
+        let (film, _) = render::<Silent>(world, &now, threads, watch);
+        let error = film.error().unwrap_or(f64::INFINITY);
+        let (samples, rays) = (now.samples, film.rays);
+        tries.push(Try {
+            samples,
+            error,
+            rays,
+            seconds: start.elapsed().as_secs_f64(),
+        });
+        spent += rays;
+        let next = whole_sets(f64::from(samples) * growth(&now, error / wanted));
+        let price = rays as f64 * f64::from(next) / f64::from(samples);
+        let end = if film.cut {
+            End::Cut
+        } else if error <= wanted {
+            End::Reached
+        } else if next > limits::MAX_SAMPLES {
+            End::Samples
+        } else if spent as f64 + price > settings.max_rays as f64 {
+            End::Rays
+        } else {
+            now.samples = next;
+            continue;
+        };
+        return Found {
+            film,
+            settings: now,
+            tries,
+            end,
+        };
+    }
+}
+
+/// How many times as many samples bring the error down by `factor`: it falls as n^-1/2 if the samples are independent,
+/// and at least as n^-3/4 if they are evenly spread (Mitchell 1996).
+fn growth(settings: &Settings, factor: f64) -> f64 {
+    let power = if settings.sampling == Sampling::Random {
+        2.0
+    } else {
+        4.0 / 3.0
+    };
+    let [least, most] = GROWTH;
+    libm::pow(factor, power).clamp(least, most)
+}
+
+/// The next number of samples that can be parted into sets of one size.
+fn whole_sets(samples: f64) -> u32 {
+    (samples / f64::from(SETS)).ceil().max(1.0) as u32 * SETS
+}
