@@ -135,7 +135,10 @@ fn only_the_knobs_that_a_scene_has_are_turned() {
         knobs("triangle"),
         [
             "pixel samples, regular",
+            "pixel samples, random",
             "pixel samples, jittered",
+            "pixel samples, sobol",
+            "pixel samples, adaptive",
             "accelerator"
         ]
     );
@@ -143,7 +146,10 @@ fn only_the_knobs_that_a_scene_has_are_turned() {
         knobs("mirrors"),
         [
             "pixel samples, regular",
+            "pixel samples, random",
             "pixel samples, jittered",
+            "pixel samples, sobol",
+            "pixel samples, adaptive",
             "depth",
             "min weight",
             "accelerator"

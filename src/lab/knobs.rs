@@ -4,13 +4,19 @@ use super::effort::Effort;
 use crate::accel::AccelKind;
 use crate::math::{LightSampling, Sampler};
 use crate::scene::effects::{Effect, effects};
-use crate::scene::{Sampling, Settings, World, limits};
+use crate::scene::{Adaptive, Pilot, Sampling, Settings, World, limits};
 
 /// What is added to the seed of a reference, so that it shares no random number with what it judges.
 const OTHER_SEED: u64 = 0x5eed_0f7e;
 
 /// Shapes up to which testing all of them for every ray is worth showing.
 const FEW_SHAPES: usize = 300;
+
+/// The group of all that is about samples of a pixel.
+const PIXEL_SAMPLES: &str = "pixel samples";
+
+/// The first samples of a pixel that may have more.
+const FIRST: u32 = 4;
 
 /// Something that can be turned while all the rest stays, in one way of turning it.
 #[derive(Clone, Debug)]
@@ -59,10 +65,10 @@ impl Knob {
 pub fn knobs(world: &World, base: &Settings, effort: Effort) -> Vec<Knob> {
     let called_for = effects(&world.scene);
     let uses = |effect| called_for.has(effect) && base.effects.has(effect);
-    let mut knobs = vec![
-        pixel_samples(base, Sampling::Regular, effort),
-        pixel_samples(base, Sampling::Jittered, effort),
-    ];
+    let mut knobs: Vec<Knob> = Sampling::ALL
+        .map(|sampling| pixel_samples(base, sampling, effort))
+        .into();
+    knobs.push(thresholds(base, effort));
     if uses(Effect::Shadows) && uses(Effect::SoftShadows) {
         let by_area = LightSampling::Area;
         knobs.extend(Sampler::ALL.map(|sampler| light_samples(base, (sampler, by_area), effort)));
@@ -88,27 +94,56 @@ fn by_samples(effort: Effort, with: impl Fn(u32) -> Settings) -> Vec<Step> {
 
 /// Samples a pixel.
 fn pixel_samples(base: &Settings, sampling: Sampling, effort: Effort) -> Knob {
-    let with = |samples, sampling| Settings {
-        samples,
-        sampling,
-        ..*base
-    };
-    let (way, theory) = match sampling {
-        Sampling::Regular => ("regular", "-1 or less: it stalls at edges along its cells"),
-        Sampling::Jittered => ("jittered", "-0.75 at edges, -1 where it is smooth"),
+    let theory = match sampling {
+        Sampling::Regular => "-1 or less: it stalls at edges along its cells",
+        Sampling::Random => "-0.5",
+        Sampling::Jittered => "-0.75 at edges, -1 where it is smooth",
+        Sampling::Sobol => "-0.75 at edges, -1.5 where it is smooth",
     };
     Knob {
-        group: "pixel samples",
-        way: Some(way),
-        steps: by_samples(effort, |n| with(n, sampling)),
-        reference: Some(Settings {
-            seed: base.seed ^ OTHER_SEED,
-            ..with(
-                effort.reference.min(limits::MAX_SAMPLES),
-                Sampling::Jittered,
-            )
-        }),
+        group: PIXEL_SAMPLES,
+        way: Some(sampling.name()),
+        steps: by_samples(effort, |n| sampled(base, n, sampling)),
+        reference: Some(best_sampled(base, effort)),
         theory: Some(theory),
+    }
+}
+
+/// Samples where they are needed, by how small a pixel's standard error is to be: another way to the same picture.
+fn thresholds(base: &Settings, effort: Effort) -> Knob {
+    let with = |threshold| Settings {
+        adaptive: Some(Adaptive {
+            threshold,
+            most: effort.most.max(4 * FIRST),
+            pilot: Pilot::Kept,
+        }),
+        ..sampled(base, FIRST, Sampling::Sobol)
+    };
+    let thresholds = [0.1, 0.03, 0.01, 0.003];
+    Knob {
+        way: Some("adaptive"),
+        reference: Some(best_sampled(base, effort)),
+        ..plain(PIXEL_SAMPLES, thresholds, f64::to_string, with)
+    }
+}
+
+/// So many samples a pixel, in one set.
+fn sampled(base: &Settings, samples: u32, sampling: Sampling) -> Settings {
+    Settings {
+        samples,
+        sets: 1,
+        sampling,
+        adaptive: None,
+        ..*base
+    }
+}
+
+/// The reference of all that is about samples of a pixel.
+fn best_sampled(base: &Settings, effort: Effort) -> Settings {
+    let samples = effort.reference.min(limits::MAX_SAMPLES);
+    Settings {
+        seed: base.seed ^ OTHER_SEED,
+        ..sampled(base, samples, Sampling::Sobol)
     }
 }
 
@@ -119,11 +154,10 @@ fn light_samples(
     effort: Effort,
 ) -> Knob {
     let with = |light_samples, sampler, light_sampling| Settings {
-        sampling: Sampling::Regular,
         light_samples,
         sampler,
         light_sampling,
-        ..*base
+        ..sampled(base, base.samples, Sampling::Regular)
     };
     let most = effort.reference.min(limits::MAX_LIGHT_SAMPLES);
     Knob {
