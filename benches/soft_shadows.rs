@@ -1,10 +1,12 @@
 //! What an area light costs for how much noise: every way to sample it, at equal rays, on whole pictures.
 //!
-//! `cargo bench --bench soft_shadows`; `-- --size N` for pictures of N x N pixels (64).
+//! `cargo bench --bench soft_shadows`, `-- --size N` for pictures of N x N pixels (64); with `RAYTREE_BOOK=1` the table
+//! goes into the book as well.
 
 #[path = "common/table.rs"]
 mod table;
 
+use std::fmt::Write;
 use std::time::Instant;
 
 use raytree::accel::AccelKind;
@@ -15,7 +17,7 @@ use raytree::probe::Silent;
 use raytree::scene::{self, Sampling, Settings, World};
 use raytree::tracer::{Film, Flow, render};
 
-use table::{markdown, median};
+use table::{markdown, median, publish};
 
 /// How often each contestant draws.
 const ROUNDS: usize = 5;
@@ -56,6 +58,13 @@ fn bunny() -> World {
     World::new(scene, AccelKind::Wide)
 }
 
+/// A picture's cost and error.
+struct Drawn {
+    rays: u64,
+    seconds: f64,
+    rmse: f64,
+}
+
 /// A picture and the seconds that it took one thread.
 fn draw(world: &World, settings: &Settings, threads: usize) -> (Film, f64) {
     let start = Instant::now();
@@ -85,7 +94,7 @@ fn ways(world: &World, size: u32) -> String {
         .flat_map(|sampler| LightSampling::ALL.map(|by| (sampler, by)))
         .filter(|way| *way != (Sampler::Grid, LightSampling::Projected))
         .collect();
-    let mut draws = vec![Vec::new(); ways.len()];
+    let mut draws: Vec<Vec<Drawn>> = ways.iter().map(|_| Vec::new()).collect();
     for seed in 0..ROUNDS as u64 {
         for ((sampler, light_sampling), draws) in ways.iter().zip(&mut draws) {
             let settings = Settings {
@@ -95,8 +104,12 @@ fn ways(world: &World, size: u32) -> String {
                 ..base
             };
             let (film, seconds) = draw(world, &settings, 1);
-            let error = errors(&film, &reference, 1.0).expect("the same size").rmse;
-            draws.push((film.rays, seconds, error));
+            let rmse = errors(&film, &reference, 1.0).expect("the same size").rmse;
+            draws.push(Drawn {
+                rays: film.rays,
+                seconds,
+                rmse,
+            });
         }
     }
     let head = [
@@ -108,20 +121,20 @@ fn ways(world: &World, size: u32) -> String {
         "RMSE x s^1/2",
     ]
     .map(String::from);
-    let row = |((sampler, by), draws): (&(Sampler, LightSampling), &Vec<(u64, f64, f64)>)| {
-        let seconds = median(draws.iter().map(|d| d.1));
-        let squares: f64 = draws.iter().map(|d| d.2 * d.2).sum();
-        let error = (squares / draws.len() as f64).sqrt();
-        vec![
+    let mut rows = Vec::new();
+    for ((sampler, by), draws) in ways.iter().zip(&draws) {
+        let seconds = median(draws.iter().map(|d| d.seconds));
+        let squares: f64 = draws.iter().map(|d| d.rmse * d.rmse).sum();
+        let rmse = (squares / draws.len() as f64).sqrt();
+        rows.push(vec![
             sampler.name().to_owned(),
             by.name().to_owned(),
-            format!("{:.2}", draws[0].0 as f64 / 1e6),
+            format!("{:.2}", draws[0].rays as f64 / 1e6),
             format!("{seconds:.3}"),
-            format!("{error:.5}"),
-            format!("{:.5}", error * seconds.sqrt()),
-        ]
-    };
-    let rows: Vec<_> = ways.iter().zip(&draws).map(row).collect();
+            format!("{rmse:.5}"),
+            format!("{:.5}", rmse * seconds.sqrt()),
+        ]);
+    }
     markdown(&head, &rows)
 }
 
@@ -133,14 +146,17 @@ fn main() {
     }
     let size = arguments.iter().skip_while(|a| *a != "--size").nth(1);
     let size = size.map_or(64, |n| n.parse().expect("a number of pixels"));
-    println!(
-        "{size}x{size} pixels, {SAMPLES} samples, one ray to the light each, one thread, {ROUNDS} rounds in turns."
+    let mut text = format!(
+        "{size}x{size} pixels, {SAMPLES} samples, one ray to the light each, one thread. Seconds are medians of \
+         {ROUNDS} rounds in turns, errors the root of the mean of their squares.\n"
     );
-    let soft_shadow = World::new(
-        scene::load("soft-shadow").expect("built in"),
-        AccelKind::List,
-    );
-    for (name, world) in [("bunny", bunny()), ("soft-shadow", soft_shadow)] {
-        println!("\n{name}\n\n{}", ways(&world, size));
+    let soft_shadow = scene::load("soft-shadow").expect("built in");
+    let soft_shadow = World::new(soft_shadow, AccelKind::List);
+    for (name, world) in [
+        ("The bunny on a floor below a lamp", bunny()),
+        ("`soft-shadow`", soft_shadow),
+    ] {
+        let _ = write!(text, "\n{name}:\n\n{}", ways(&world, size));
     }
+    publish("soft-shadows", &text);
 }

@@ -126,7 +126,7 @@ impl Accel {
 /// The mask of rays that hit something, if any hit will do; else their hits are in `best`. `None`, and nothing done, if
 /// the rays do not go together.
 #[inline]
-fn together<const ANY: bool, T: Follow>(
+pub fn together<const ANY: bool, T: Follow>(
     tree: &T,
     shapes: &[Shape],
     rays: &[(Ray, Interval)],

@@ -224,20 +224,20 @@ mod x86 {
         #[inline(always)]
         fn positive8(self, a: &[f64; 8]) -> u32 {
             let a = a.as_chunks::<4>().0;
-            self.positive4(&a[0]) | self.positive4(&a[1]) << 4
+            Self::positive4(self, &a[0]) | Self::positive4(self, &a[1]) << 4
         }
 
         #[inline(always)]
         fn less8(self, a: &[f64; 8], b: &[f64; 8]) -> u32 {
             let (a, b) = (a.as_chunks::<4>().0, b.as_chunks::<4>().0);
-            self.less4(&a[0], &b[0]) | self.less4(&a[1], &b[1]) << 4
+            Self::less4(self, &a[0], &b[0]) | Self::less4(self, &a[1], &b[1]) << 4
         }
     }
 
     // Methods, not closures: a closure is compiled without the instructions first, and then not inlined.
     impl Avx2 {
         #[inline(always)]
-        fn positive4(self, a: &[f64; 4]) -> u32 {
+        fn positive4(_: Self, a: &[f64; 4]) -> u32 {
             unsafe {
                 let a = _mm256_loadu_pd(a.as_ptr());
                 let holds = _mm256_cmp_pd::<_CMP_GE_OQ>(a, _mm256_setzero_pd());
@@ -246,7 +246,7 @@ mod x86 {
         }
 
         #[inline(always)]
-        fn less4(self, a: &[f64; 4], b: &[f64; 4]) -> u32 {
+        fn less4(_: Self, a: &[f64; 4], b: &[f64; 4]) -> u32 {
             unsafe {
                 let (a, b) = (_mm256_loadu_pd(a.as_ptr()), _mm256_loadu_pd(b.as_ptr()));
                 _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b)).cast_unsigned()

@@ -74,10 +74,8 @@ pub fn decide<L: Level>(level: L, pairs: &[Pair; LANES]) -> Found {
         weights[1][i] = v[i] / area;
         weights[2][i] = w[i] / area;
     }
-    let plain = level.positive8(&kept)
-        & crossed(level, &u)
-        & crossed(level, &v)
-        & crossed(level, &w);
+    let plain =
+        level.positive8(&kept) & crossed(level, &u) & crossed(level, &v) & crossed(level, &w);
     let inside = level.less8(min, &t) & level.less8(&t, max);
     Found {
         hits: candidates & plain & inside,

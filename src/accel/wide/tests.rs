@@ -105,9 +105,14 @@ fn every_instruction_set_answers_as_the_list_does() {
     }
     // The test means something: many hits, and most groups go together.
     assert!(expected.iter().flatten().count() > rays.len() / 3);
-    let mut out = [None; packet::RAYS];
+    let (mut out, mut waiting) = (
+        [None; packet::RAYS],
+        <Wide as packet::Follow>::Waiting::default(),
+    );
     let groups = rays.chunks(packet::RAYS);
-    let together = groups.filter(|group| packet::closest(&wide, &shapes, group, &mut out));
+    let together = groups.filter(|group| {
+        packet::together::<false, _>(&wide, &shapes, group, &mut out, &mut waiting).is_some()
+    });
     assert!(together.count() > 200);
 }
 
