@@ -8,7 +8,7 @@ mod auto;
 mod boxes;
 pub mod bsp;
 mod bvh;
-mod crossings;
+pub mod crossings;
 mod filter;
 pub mod grid;
 mod kd;
@@ -288,12 +288,15 @@ impl<'a> Query<'a> {
             Intersection::Hit { t, barycentric } => {
                 let closer = best.is_none_or(|b| (t, primitive) < (b.t, b.primitive));
                 if closer {
-                    if !P::EVERY {
-                        *best = Some(Hit {
-                            t,
-                            primitive,
-                            barycentric,
-                        });
+                    let hit = Hit {
+                        t,
+                        primitive,
+                        barycentric,
+                    };
+                    if P::EVERY {
+                        probe.crossing(hit);
+                    } else {
+                        *best = Some(hit);
                     }
                     (Verdict::Hit, t)
                 } else {

@@ -20,12 +20,15 @@ pub trait Probe {
     /// Whether anything is wanted at all. If not, questions may be answered in bundles, ahead of the one who asks.
     const LISTENS: bool = true;
 
-    /// Whether a search should go on after a hit, so that every crossing is tested and told of, and none becomes the
-    /// answer.
+    /// Whether a search should go on after a hit, so that every primitive that is crossed is told of by
+    /// [`Probe::crossing`], and none becomes the answer.
     const EVERY: bool = false;
 
     /// Called once for everything that happens, in order.
     fn event(&mut self, event: Event);
+
+    /// Called for the first crossing of every primitive that is found, perhaps more than once, if [`Probe::EVERY`].
+    fn crossing(&mut self, _: Hit) {}
 }
 
 /// Listens to nothing.

@@ -5,6 +5,7 @@
 
 pub mod builtin;
 pub mod camera;
+mod company;
 pub mod effects;
 pub mod error;
 pub mod file;
@@ -26,6 +27,7 @@ mod spd;
 mod world;
 
 pub use camera::Camera;
+pub use company::Company;
 pub use effects::{Effect, Effects};
 pub use error::SceneError;
 pub use flags::flags;

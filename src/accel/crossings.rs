@@ -3,25 +3,22 @@
 use super::Accel;
 use crate::geometry::{Hit, Intersection, Shape, Shear};
 use crate::math::{Interval, Ray};
-use crate::probe::{Event, Probe, Verdict};
+use crate::probe::{Event, Probe};
 
-/// Writes down which primitives are crossed.
+/// Writes down what is crossed.
 #[derive(Default)]
-struct Crossed(Vec<u32>);
+struct Crossed(Vec<Hit>);
 
 impl Probe for Crossed {
-    const TRAVERSAL: bool = true;
+    const TRAVERSAL: bool = false;
     const EVERY: bool = true;
 
-    fn event(&mut self, event: Event) {
-        if let Event::Test {
-            primitive,
-            verdict: Verdict::Hit,
-            ..
-        } = event
-        {
-            self.0.push(primitive);
-        }
+    #[inline]
+    fn event(&mut self, _: Event) {}
+
+    #[inline]
+    fn crossing(&mut self, hit: Hit) {
+        self.0.push(hit);
     }
 }
 
@@ -31,26 +28,35 @@ impl Accel {
     pub fn crossings(&self, shapes: &[Shape], ray: &Ray, interval: Interval) -> Vec<Hit> {
         let mut crossed = Crossed::default();
         self.closest(shapes, ray, interval, &mut crossed);
+        let Crossed(mut hits) = crossed;
+        let in_order = |a: &Hit, b: &Hit| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive));
+        hits.sort_unstable_by(in_order);
         // A tree may refer to a primitive from many leaves.
-        let mut primitives = crossed.0;
-        primitives.sort_unstable();
-        primitives.dedup();
-        let shear = Shear::new(ray);
-        let mut hits = Vec::with_capacity(primitives.len());
-        for primitive in primitives {
-            let mut rest = interval;
-            while let Intersection::Hit { t, barycentric } =
-                shapes[primitive as usize].intersect(ray, &shear, rest)
-            {
-                hits.push(Hit {
-                    t,
-                    primitive,
-                    barycentric,
-                });
-                rest.min = t;
-            }
+        hits.dedup();
+        let once = hits.len();
+        for i in 0..once {
+            hits.extend(second(shapes, ray, &hits[i], interval));
         }
-        hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive)));
+        if hits.len() > once {
+            hits.sort_unstable_by(in_order);
+        }
         hits
+    }
+}
+
+/// Where a ray comes out of a solid again that it crosses at `first`.
+pub fn second(shapes: &[Shape], ray: &Ray, first: &Hit, interval: Interval) -> Option<Hit> {
+    let shape = &shapes[first.primitive as usize];
+    if !shape.is_solid() {
+        return None;
+    }
+    let rest = Interval::new(first.t, interval.max);
+    match shape.intersect(ray, &Shear::new(ray), rest) {
+        Intersection::Hit { t, barycentric } => Some(Hit {
+            t,
+            primitive: first.primitive,
+            barycentric,
+        }),
+        _ => None,
     }
 }

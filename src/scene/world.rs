@@ -1,7 +1,8 @@
 //! What can be traced: a scene and the acceleration structure over it.
 
+use super::company::{Company, company};
 use super::{Object, Scene, solids};
-use crate::accel::{Accel, AccelKind};
+use crate::accel::{Accel, AccelKind, crossings::second};
 use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Probe};
@@ -14,9 +15,11 @@ pub struct World {
     pub scene: Scene,
     /// The structure over its shapes.
     pub accel: Accel,
-    /// True if anything is transparent, so that there are media at all.
-    pub has_media: bool,
-    /// Transparent objects that bound no part of space, by object index: see [`Entered`].
+    /// True if anything is transparent.
+    has_media: bool,
+    /// What each object has to do with media.
+    company: Vec<Company>,
+    /// Which objects are transparent and bound no part of space: see [`Entered`].
     open: Vec<bool>,
     /// Those of them that the eye is inside of.
     pub around_eye: Entered,
@@ -27,15 +30,16 @@ impl World {
     pub fn new(scene: Scene, kind: AccelKind) -> Self {
         let accel = Accel::build(kind, &scene.shapes);
         let is_medium = |o: &Object| scene.materials[o.material as usize].is_transmissive();
-        let has_media = scene.objects.iter().any(is_medium);
         let open = (0u32..)
             .zip(&scene.objects)
             .map(|(i, o)| is_medium(o) && !solids::is_closed(scene.shapes_of(i)))
             .collect();
+        let company = company(&scene);
         let mut world = Self {
             scene,
             accel,
-            has_media,
+            has_media: company.iter().any(|c| *c != Company::Away),
+            company,
             open,
             around_eye: Entered::NOTHING,
         };
@@ -67,6 +71,12 @@ impl World {
         self.open[object as usize]
     }
 
+    /// What has to be asked where a primitive is hit.
+    #[inline]
+    pub fn company(&self, primitive: u32) -> Company {
+        self.company[self.scene.owners[primitive as usize] as usize]
+    }
+
     /// The closest hit of a ray behind t = `from`.
     pub fn closest<P: Probe>(&self, ray: &Ray, from: f64, probe: &mut P) -> Option<Hit> {
         let interval = Interval::new(from, f64::INFINITY);
@@ -81,18 +91,36 @@ impl World {
 
     /// Every surface that a ray crosses inside an interval, by t.
     pub fn crossings(&self, ray: &Ray, interval: Interval) -> Vec<Crossing> {
+        let hits = self.accel.crossings(&self.scene.shapes, ray, interval);
+        self.described(ray, hits)
+    }
+
+    /// What a ray crosses from its closest `hit` on, as far as that object's media depend on it.
+    pub fn crossings_from(&self, ray: &Ray, hit: &Hit) -> Vec<Crossing> {
+        let interval = Interval::new(hit.t.next_down(), f64::INFINITY);
+        if self.company(hit.primitive) == Company::Alone {
+            let second = second(&self.scene.shapes, ray, hit, interval);
+            self.described(ray, [*hit].into_iter().chain(second))
+        } else {
+            self.crossings(ray, interval)
+        }
+    }
+
+    fn described(&self, ray: &Ray, hits: impl IntoIterator<Item = Hit>) -> Vec<Crossing> {
         let scene = &self.scene;
         let shear = Shear::new(ray);
-        let hits = self.accel.crossings(&scene.shapes, ray, interval);
+        let enters = |hit: &Hit| {
+            let shape = &scene.shapes[hit.primitive as usize];
+            let is_medium = scene.material_of(hit.primitive).is_transmissive();
+            is_medium
+                .then(|| shape.enters(ray, &shear, hit.t))
+                .flatten()
+        };
         hits.into_iter()
             .map(|hit| Crossing {
                 hit,
                 object: scene.owners[hit.primitive as usize],
-                enters: if scene.material_of(hit.primitive).is_transmissive() {
-                    scene.shapes[hit.primitive as usize].enters(ray, &shear, hit.t)
-                } else {
-                    None
-                },
+                enters: enters(&hit),
             })
             .collect()
     }

@@ -8,8 +8,8 @@ use std::cmp::Reverse;
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
 use crate::scene::World;
+use crate::shading::Interaction;
 use crate::shading::medium::{Crossing, Entered};
-use crate::shading::{Interaction, Material};
 
 /// What a ray crosses at one place.
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +22,8 @@ pub struct Boundary {
     pub change: Change,
     /// Where the last of the surfaces is crossed.
     pub end: f64,
-    /// How many surfaces are crossed.
-    pub surfaces: usize,
+    /// True if there are many surfaces, and some of them are transparent.
+    pub many: bool,
 }
 
 /// What changes where a ray goes through.
@@ -37,10 +37,9 @@ pub struct Change {
 
 impl Boundary {
     /// What `ray`, which is inside the open objects `entered`, crosses at its closest `hit`, the place `at`.
-    pub fn new(world: &World, entered: Entered, ray: &Ray, hit: &Hit, at: Interaction) -> Self {
-        let ahead = world.crossings(ray, Interval::new(hit.t.next_down(), f64::INFINITY));
-        let surfaces = together(world, ray, &ahead, hit, &at);
-        let (crossed, beyond) = ahead.split_at(surfaces);
+    pub fn new(world: &World, entered: Entered, ray: &Ray, hit: &Hit, at: &Interaction) -> Self {
+        let ahead = world.crossings_from(ray, hit);
+        let (crossed, beyond) = ahead.split_at(together(world, ray, &ahead, hit, at));
         let after = crossed
             .iter()
             .fold(entered, |inside, crossing| match crossing.enters {
@@ -48,17 +47,19 @@ impl Boundary {
                 Some(false) => inside.without(crossing.object),
                 _ => inside,
             });
+        let is_medium = |c: &Crossing| world.scene.material_of(c.hit.primitive).is_transmissive();
+        let many = crossed.len() > 1 && crossed.iter().any(is_medium);
         let boundary = Self {
             hit: *hit,
-            at,
+            at: *at,
             change: Change {
                 media: [world.medium(&entered, &ahead), world.medium(&after, beyond)],
                 entered: after,
             },
             end: crossed.last().map_or(hit.t, |last| last.hit.t),
-            surfaces,
+            many,
         };
-        if surfaces > 1 {
+        if many {
             boundary.at_what_counts(world, ray, crossed)
         } else {
             boundary
@@ -86,12 +87,6 @@ impl Boundary {
         let furthest = reach.fold(0.0, f64::max);
         self.at = self.at.with_reach(furthest);
         self
-    }
-
-    /// True if there is anything to see: the surface is opaque, or the medium changes. Else the ray goes straight on.
-    pub fn counts(&self, material: &Material) -> bool {
-        let [before, behind] = self.change.media;
-        !material.is_transmissive() || before != behind
     }
 }
 

@@ -29,7 +29,6 @@ pub struct Tracer<'a, P> {
 }
 
 /// A ray on its way, and what it knows of the path behind it.
-#[derive(Clone, Copy)]
 struct Path<'f> {
     kind: RayKind,
     ray: Ray,
@@ -84,7 +83,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
     /// The radiance that arrives at the eye along `ray`, of which something may be foreseen.
     pub fn eye(&mut self, asker: Asker, ray: Ray, foreseen: Option<Foreseen>) -> Rgb {
         let entered = self.world.around_eye;
-        self.radiance(&Path {
+        self.radiance(&mut Path {
             kind: RayKind::Incident,
             ray,
             depth: 0,
@@ -98,11 +97,10 @@ impl<'a, P: Probe> Tracer<'a, P> {
     }
 
     /// The radiance that comes back along a ray: the shading equation, term by term.
-    fn radiance(&mut self, path: &Path) -> Rgb {
+    fn radiance(&mut self, path: &mut Path) -> Rgb {
         self.send(path);
         let mut sum = Rgb::BLACK;
-        let mut path = *path;
-        let Some(Arrival { hit, at, change }) = self.arrive(&mut path) else {
+        let Some(Arrival { hit, at, change }) = self.arrive(path) else {
             self.probe.event(Event::Miss);
             self.add(
                 &mut sum,
@@ -113,7 +111,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             return self.done(sum);
         };
         self.probe.event(Event::Hit(hit));
-        let (path, scene) = (&path, &self.world.scene);
+        let scene = &self.world.scene;
         let material = scene.material_of(hit.primitive);
 
         // What the surface sends out itself, and its share of the light that is everywhere.
@@ -355,7 +353,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             }),
             Ok((direction, entered)) => {
                 let ray = Ray::new(at.origin_towards(direction), direction);
-                let radiance = self.radiance(&Path {
+                let radiance = self.radiance(&mut Path {
                     kind,
                     ray,
                     depth: path.depth + 1,

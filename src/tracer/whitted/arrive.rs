@@ -4,6 +4,7 @@ use super::{Path, Tracer};
 use crate::geometry::Hit;
 use crate::math::Ray;
 use crate::probe::{Event, NONE, Probe};
+use crate::scene::Company;
 use crate::shading::{Entered, Interaction};
 use crate::tracer::boundary::{Boundary, Change};
 
@@ -18,41 +19,59 @@ pub struct Arrival {
 impl<P: Probe> Tracer<'_, P> {
     /// The first surface that counts. Those that change no medium are passed, and the path knows of it; each costs as much
     /// as a ray and counts as one.
+    #[inline]
     pub(super) fn arrive(&mut self, path: &mut Path) -> Option<Arrival> {
-        let mut closest = match path.foreseen {
+        let hit = match path.foreseen {
             Some(foreseen) => foreseen.hit,
             None => self.world.closest(&path.ray, 0.0, self.probe),
         }?;
-        loop {
-            let scene = &self.world.scene;
-            let at = scene.interaction(&path.ray, &closest);
-            let material = scene.material_of(closest.primitive);
-            // Where nothing goes on, nothing can be out of step. (A mirror may touch a medium.)
-            let goes_on = material.is_transmissive() || !material.mirror.is_black();
-            if !(self.world.has_media && goes_on) {
-                let (hit, change) = (closest, None);
-                return Some(Arrival { hit, at, change });
-            }
-            let crossed = Boundary::new(self.world, path.entered, &path.ray, &closest, at);
-            if crossed.surfaces > 1 {
-                // What was foreseen was for one surface.
-                path.foreseen = None;
-            }
-            let material = scene.material_of(crossed.hit.primitive);
-            if crossed.counts(material) || self.out_of_rays() {
-                return Some(Arrival {
-                    hit: crossed.hit,
-                    at: crossed.at,
-                    change: material.is_transmissive().then_some(crossed.change),
-                });
-            }
-            let (hit, medium) = (crossed.hit, crossed.change.media[0]);
-            self.probe.event(Event::Passed { hit, medium });
-            self.rays += 1;
-            path.entered = crossed.change.entered;
-            path.foreseen = None;
-            closest = self.world.closest(&path.ray, crossed.end, self.probe)?;
+        let mut arrival = self.at(path, hit);
+        if self.world.company(hit.primitive) == Company::Away {
+            return Some(arrival);
         }
+        while let Some(end) = self.cross(path, &mut arrival) {
+            let hit = self.world.closest(&path.ray, end, self.probe)?;
+            arrival = self.at(path, hit);
+        }
+        Some(arrival)
+    }
+
+    fn at(&self, path: &Path, hit: Hit) -> Arrival {
+        Arrival {
+            hit,
+            at: self.world.scene.interaction(&path.ray, &hit),
+            change: None,
+        }
+    }
+
+    /// What changes at the closest surface and at all that touch it. If it is nothing, they are passed: the t of the last.
+    #[inline(never)]
+    fn cross(&mut self, path: &mut Path, arrival: &mut Arrival) -> Option<f64> {
+        if self.world.company(arrival.hit.primitive) == Company::Away {
+            return None;
+        }
+        let Arrival { hit, at, .. } = arrival;
+        let crossed = Boundary::new(self.world, path.entered, &path.ray, hit, at);
+        if crossed.many {
+            // What was foreseen was for one surface.
+            path.foreseen = None;
+            (arrival.hit, arrival.at) = (crossed.hit, crossed.at);
+        }
+        let material = self.world.scene.material_of(arrival.hit.primitive);
+        if !material.is_transmissive() {
+            return None;
+        }
+        let [medium, behind] = crossed.change.media;
+        if medium != behind || self.out_of_rays() {
+            arrival.change = Some(crossed.change);
+            return None;
+        }
+        let hit = arrival.hit;
+        self.probe.event(Event::Passed { hit, medium });
+        self.rays += 1;
+        path.entered = crossed.change.entered;
+        path.foreseen = None;
+        Some(crossed.end)
     }
 
     /// The medium where `ray` starts, for those who listen.
