@@ -5,7 +5,7 @@
 //!
 //! `cargo bench --bench rays` runs criterion on each of raytree's accelerators, then prints the matrix;
 //! with `-- nomatch` only the matrix; with `RAYTREE_BOOK=1` the matrix goes into the book as well, and
-//! `RAYTREE_MESH=ball` takes one mesh, `RAYTREE_WHO=wide` only the accelerators of such names.
+//! `RAYTREE_MESH=ball` takes one mesh, `RAYTREE_WHO=kd,bsp-sah` only the accelerators of such names.
 
 #[path = "rays/matrix.rs"]
 mod matrix;

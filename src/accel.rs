@@ -15,6 +15,7 @@ mod kd;
 mod lanes;
 pub mod list;
 mod local;
+mod oblique;
 mod octree;
 mod packet;
 pub mod planes;
@@ -47,6 +48,8 @@ pub enum AccelKind {
     BspAxis,
     /// A BSP tree split by the planes of the scene's own polygons, as in the lectures.
     BspPolygon,
+    /// A BSP tree split by planes along the axes or at any angle, by the surface area heuristic.
+    BspSah,
     /// A kd-tree: the best planes along the axes that there are.
     Kd,
     /// A grid of cells.
@@ -63,11 +66,12 @@ pub enum AccelKind {
 
 impl AccelKind {
     /// Every kind.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::List,
         Self::Bsp,
         Self::BspAxis,
         Self::BspPolygon,
+        Self::BspSah,
         Self::Kd,
         Self::Grid,
         Self::Octree,
@@ -95,6 +99,7 @@ impl AccelKind {
                 "bsp-polygon",
                 "A BSP tree split by the scene's own polygons",
             ),
+            Self::BspSah => ("bsp-sah", "A BSP tree: the best planes at any angle"),
             Self::Kd => ("kd", "A kd-tree: the best planes along the axes"),
             Self::Grid => ("grid", "A uniform grid of cells"),
             Self::Octree => ("octree", "An octree: cubes halved along all axes"),
@@ -145,7 +150,7 @@ pub struct AccelStats {
     pub nodes: usize,
     /// Nodes that are leaves.
     pub leaves: usize,
-    /// Nodes that are split by a polygon's own plane.
+    /// Nodes that are split by a polygon's own plane, or by one through its edge.
     pub polygon_planes: usize,
     /// Planes on the longest way down.
     pub depth: u32,
@@ -172,6 +177,7 @@ impl Accel {
         match kind {
             AccelKind::List => Self::List(List::build(shapes)),
             AccelKind::Kd => Self::Planes(kd::build(shapes)),
+            AccelKind::BspSah => Self::Planes(oblique::build(shapes)),
             AccelKind::Grid => Self::Grid(Grid::build(shapes)),
             AccelKind::Octree => Self::Boxes(octree::build(shapes)),
             AccelKind::Bvh => Self::Boxes(bvh::build(shapes, false)),

@@ -22,6 +22,7 @@ mod resolve;
 pub mod sampling;
 pub mod settings;
 mod sketch;
+mod slanted;
 mod solids;
 mod spd;
 mod world;

@@ -9,10 +9,11 @@ use raytree::geometry::{Aabb, Cuboid, Disc, Hit, Placed, Plane, Shape, Sphere, T
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
 
-const TREES: [AccelKind; 9] = [
+const TREES: [AccelKind; 10] = [
     AccelKind::Bsp,
     AccelKind::BspAxis,
     AccelKind::BspPolygon,
+    AccelKind::BspSah,
     AccelKind::Kd,
     AccelKind::Grid,
     AccelKind::Octree,

@@ -113,9 +113,9 @@ fn contestants(triangles: &[Triangle], shapes: &[Shape]) -> (Vec<Contestant>, Ve
         ]);
         all.push(contestant);
     };
-    // `RAYTREE_WHO=wide` asks only those whose names contain it, next to the first peer.
+    // `RAYTREE_WHO=wide,kd` asks only those whose names contain one of these, next to the first peer.
     let who = std::env::var("RAYTREE_WHO").unwrap_or_default();
-    let is_asked = |name: &str| name == NAMES[0] || name.contains(&who);
+    let is_asked = |name: &str| name == NAMES[0] || who.split(',').any(|w| name.contains(w));
     for name in NAMES.into_iter().filter(|name| is_asked(name)) {
         let build = || seconds(|| Peer::build(name, triangles)).0;
         let ratios = (0..ROUNDS).map(|_| build() / reference()).collect();

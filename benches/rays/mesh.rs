@@ -7,7 +7,8 @@ use raytree::math::DVec3;
 pub fn all() -> Vec<(&'static str, Vec<Triangle>)> {
     vec![
         ("room", room()),
-        ("bunny", bunny()),
+        ("bunny", built_in("bunny", "bunny")),
+        ("slanted", built_in("slanted", "")),
         ("ball", bumpy_ball(158)),
     ]
 }
@@ -61,15 +62,16 @@ fn room() -> Vec<Triangle> {
     .concat()
 }
 
-/// The built-in bunny of 3,674 triangles.
-fn bunny() -> Vec<Triangle> {
-    let scene = raytree::scene::load("bunny").expect("built in");
+/// The triangles of a built-in scene that belong to objects of such names, moved into the box.
+fn built_in(scene: &str, objects: &str) -> Vec<Triangle> {
+    let scene = raytree::scene::load(scene).expect("built in");
     let shapes = scene.shapes.iter().enumerate();
-    let of_bunny = shapes.filter_map(|(id, shape)| match shape {
-        Shape::Triangle(triangle) if scene.object_of(id as u32).name == "bunny" => Some(*triangle),
+    let wanted = |id: usize| scene.object_of(id as u32).name.contains(objects);
+    let triangles = shapes.filter_map(|(id, shape)| match shape {
+        Shape::Triangle(triangle) if wanted(id) => Some(*triangle),
         _ => None,
     });
-    let triangles: Vec<Triangle> = of_bunny.collect();
+    let triangles: Vec<Triangle> = triangles.collect();
     let bounds = Aabb::around(triangles.iter().flat_map(|t| t.corners));
     let scale = 2.0 / bounds.size().max_element();
     let fit = |p: DVec3| (p - bounds.center()) * scale;

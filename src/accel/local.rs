@@ -39,6 +39,8 @@ pub struct Local {
     /// Where it starts, and how far every plane is moved outwards.
     pub origin: [f32; 3],
     pub pad: f32,
+    /// Where it goes, lifted off the axes by no less than [`FLATTEST`].
+    pub direction: [f32; 3],
     /// 1 / direction; never 0, infinite or NaN.
     pub inverse: [f32; 3],
     /// Near planes are at t' = plane inverse - near, far ones at plane inverse - far.
@@ -147,20 +149,15 @@ impl Frame {
         } else {
             ray.direction / unit
         };
-        let inverse = d.to_array().map(|d| {
-            let d = d as f32;
-            1.0 / if d.abs() < FLATTEST {
-                FLATTEST.copysign(d)
-            } else {
-                d
-            }
-        });
+        let direction = d.to_array().map(|d| lifted(d as f32));
+        let inverse = direction.map(|d| 1.0 / d);
         let on = |side: f32| {
             std::array::from_fn(|k| origin[k] * inverse[k] + side * pad * inverse[k].abs())
         };
         Plan::Follow(Local {
             origin,
             pad,
+            direction,
             inverse,
             near: on(1.0),
             far: on(-1.0),
@@ -183,6 +180,16 @@ impl Local {
     /// The t of a t', about.
     pub fn world(&self, t: f32) -> f64 {
         f64::from(t) / self.rate + self.start
+    }
+}
+
+/// A number that is far enough from 0 to have a finite inverse.
+#[inline(always)]
+pub fn lifted(x: f32) -> f32 {
+    if x.abs() < FLATTEST {
+        FLATTEST.copysign(x)
+    } else {
+        x
     }
 }
 

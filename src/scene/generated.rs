@@ -3,7 +3,7 @@
 use super::error::{Problem, SceneError};
 use super::limits::MAX_PRIMITIVES;
 use super::spd::{KINDS, Kind};
-use super::{Scene, lecture};
+use super::{Scene, lecture, slanted};
 
 /// The names as a user writes them, with the size that is meant if none is given, and what each scene shows.
 pub fn list() -> Vec<(String, &'static str)> {
@@ -11,13 +11,19 @@ pub fn list() -> Vec<(String, &'static str)> {
         let name = format!("{}:{}", kind.name, kind.size);
         (name, kind.note)
     });
-    let lecture = (lecture::NAME.to_string(), lecture::NOTE);
-    std::iter::once(lecture).chain(sized).collect()
+    let plain = [
+        (lecture::NAME, lecture::NOTE),
+        (slanted::NAME, slanted::NOTE),
+    ];
+    let plain = plain.map(|(name, note)| (name.to_string(), note));
+    plain.into_iter().chain(sized).collect()
 }
 
 /// The names without a size.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    std::iter::once(lecture::NAME).chain(KINDS.iter().map(|kind| kind.name))
+    [lecture::NAME, slanted::NAME]
+        .into_iter()
+        .chain(KINDS.iter().map(|kind| kind.name))
 }
 
 /// The scene that `spec` names; `None` if it names none of these. It is an error if the size is no number or too
@@ -25,6 +31,9 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 pub fn load(spec: &str) -> Option<Result<Scene, SceneError>> {
     if spec == lecture::NAME {
         return lecture::scene().map(Ok);
+    }
+    if spec == slanted::NAME {
+        return slanted::scene().map(Ok);
     }
     let kind = KINDS.iter().find(|kind| {
         let rest = spec.strip_prefix(kind.name);

@@ -1,9 +1,9 @@
 //! Following a ray through the tree, front to back: the first child at once, the second from a stack.
 
-use super::{LEAF, MAX_DEPTH, Node, Planes};
+use super::{LEAF, MAX_DEPTH, Node, Planes, THICKER, TILTED};
 use crate::accel::Query;
 use crate::accel::bsp::traverse::ended;
-use crate::accel::local::{Local, Plan, larger, smaller};
+use crate::accel::local::{Local, Plan, larger, lifted, smaller};
 use crate::accel::simd::{Level, Task};
 use crate::geometry::Hit;
 use crate::math::Interval;
@@ -58,17 +58,31 @@ impl Planes {
         }
         (min <= max).then_some((min, max))
     }
-}
 
-/// Where a ray crosses a node's plane.
-#[inline(always)]
-fn cross<L: Level>(level: L, node: Node, local: &Local) -> Crossing {
-    let axis = node.kind() as usize;
-    let inverse = local.inverse[axis];
-    Crossing {
-        enter: level.multiply_subtract(node.value, inverse, local.near[axis]),
-        leave: level.multiply_subtract(node.value, inverse, local.far[axis]),
-        front: local.backwards[axis] as u32,
+    /// Where a ray crosses a node's plane.
+    #[inline(always)]
+    fn cross<L: Level>(&self, level: L, node: Node, local: &Local) -> Crossing {
+        let kind = node.kind() as usize;
+        if kind < TILTED as usize {
+            let inverse = local.inverse[kind];
+            return Crossing {
+                enter: level.multiply_subtract(node.value, inverse, local.near[kind]),
+                leave: level.multiply_subtract(node.value, inverse, local.far[kind]),
+                front: local.backwards[kind] as u32,
+            };
+        }
+        let plane = &self.tree.tilted[node.number()];
+        let [x, y, z] = plane.normal;
+        let dot = |v: &[f32; 3]| x * v[0] + y * v[1] + z * v[2];
+        let climb = lifted(dot(&local.direction));
+        let inverse = 1.0 / climb;
+        let t = (plane.d - dot(&local.origin)) * inverse;
+        let half = THICKER * local.pad * inverse.abs();
+        Crossing {
+            enter: t - half,
+            leave: t + half,
+            front: u32::from(climb < 0.0),
+        }
     }
 }
 
@@ -156,7 +170,7 @@ fn follow<const ANY: bool, L: Level, P: Probe>(
             if node.kind() == LEAF {
                 break node;
             }
-            let crossing = cross(level, node, local);
+            let crossing = planes.cross(level, node, local);
             if P::TRAVERSAL {
                 probe.event(tell(planes, id, query, local, &crossing, (min, max)));
             }
