@@ -1,10 +1,11 @@
 //! Trees: whatever they are made of, they say what the list says, which has no tree to go wrong.
 
-use raytree::geometry::{Shape, Sphere};
+use raytree::accel::{Accel, AccelKind};
+use raytree::geometry::{Hit, Shape, Sphere};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::probe::Silent;
 
-use super::support::{Random, all, bits, count, triangle};
+use super::support::{Mesh, Random, all, bits, count, towards, triangle};
 
 /// Shapes that trees find hard: points on a coarse grid, so that corners, edges and planes coincide; the same triangle
 /// many times; needles; all of it far off.
@@ -78,4 +79,220 @@ fn case_17_every_tree_finds_what_the_list_finds() {
     }
     println!("{scenes} scenes, {} rays, {met} hits", scenes * rays);
     assert!(met > scenes * rays / 20, "{met}");
+}
+
+/// Any ray, any tree: what the list says.
+fn as_the_list(name: &str, shapes: &[Shape], rays: impl Iterator<Item = Ray>) -> usize {
+    let accels = all(shapes);
+    let mut met = 0;
+    for ray in rays {
+        let closest = |accel: &Accel| accel.closest(shapes, &ray, Interval::FORWARD, &mut Silent);
+        let expected = closest(&accels[0].1);
+        met += usize::from(expected.is_some());
+        for (kind, accel) in &accels {
+            let found = closest(accel);
+            assert_eq!(found, expected, "{name}, {kind:?}: {ray:?}");
+        }
+    }
+    met
+}
+
+/// Source: case 14. Expected: building ends with memory in proportion, and of many equal triangles the first is hit.
+#[test]
+fn case_14_a_triangle_many_times() {
+    let n = count(100_000, 1_000);
+    let corners = [
+        DVec3::ZERO,
+        DVec3::new(3.0, 0.1, 0.2),
+        DVec3::new(0.3, 2.0, 1.0),
+    ];
+    let shapes = vec![triangle(corners); n];
+    let target = (corners[0] + corners[1] + corners[2]) / 3.0;
+    let ray = Ray::new(DVec3::Z * 9.0, (target - DVec3::Z * 9.0).normalize());
+    for (kind, accel) in all(&shapes) {
+        let hit = accel.closest(&shapes, &ray, Interval::FORWARD, &mut Silent);
+        assert_eq!(hit.map(|hit| hit.primitive), Some(0), "{kind:?}");
+        let stats = accel.stats();
+        assert!(stats.bytes <= 400 * n, "{kind:?}: {stats:?}");
+        assert!(stats.references <= 8 * n, "{kind:?}: {stats:?}");
+    }
+}
+
+/// Source: case 16. Expected: whatever the corners are, building and searching end, and all say the same.
+#[test]
+fn case_16_a_mesh_of_random_bits() {
+    let mut random = Random(16);
+    for _ in 0..count(1000, 60) {
+        let mut number = || loop {
+            // The bits of any number that a file may hold.
+            let x = match random.below(3) {
+                0 => f64::from_bits(random.bits()),
+                1 => f64::from(f32::from_bits(random.bits() as u32)),
+                _ => random.unit(),
+            };
+            if x.abs() <= 1e12 {
+                return x;
+            }
+        };
+        let mut corner = || DVec3::new(number(), number(), number());
+        let shapes: Vec<Shape> = (0..20)
+            .map(|_| triangle([corner(), corner(), corner()]))
+            .collect();
+        let rays: Vec<Ray> = (0..20)
+            .filter_map(|_| towards(corner(), corner()))
+            .collect();
+        as_the_list("random bits", &shapes, rays.into_iter());
+    }
+}
+
+/// Source: case 18. Expected: the order in which triangles are given changes nothing but their numbers.
+#[test]
+fn case_18_permuted_triangles_are_hit_alike() {
+    let mut random = Random(18);
+    let shapes = Mesh::globe(12, 24, 0.2).shapes();
+    let mut order: Vec<usize> = (0..shapes.len()).collect();
+    for i in (1..order.len()).rev() {
+        order.swap(i, random.below(i + 1));
+    }
+    let permuted: Vec<Shape> = order.iter().map(|i| shapes[*i].clone()).collect();
+    for ((kind, accel), (_, other)) in all(&shapes).iter().zip(all(&permuted)) {
+        for _ in 0..count(10_000, 500) {
+            let Some(ray) = towards(3.0 * random.direction(), random.point()) else {
+                continue;
+            };
+            let a = accel.closest(&shapes, &ray, Interval::FORWARD, &mut Silent);
+            let b = other.closest(&permuted, &ray, Interval::FORWARD, &mut Silent);
+            let b = b.map(|hit| Hit {
+                primitive: order[hit.primitive as usize] as u32,
+                ..hit
+            });
+            assert_eq!(
+                a.as_ref().map(bits),
+                b.as_ref().map(bits),
+                "{kind:?}: {ray:?}"
+            );
+        }
+    }
+}
+
+/// Source: case 35. Expected: rays at an edge are caught, though a plane cuts only one of its two triangles.
+#[test]
+fn case_35_an_edge_that_is_cut_on_one_side() {
+    let mut random = Random(35);
+    let mut met = 0;
+    let rays = count(500, 100);
+    for _ in 0..count(200, 20) {
+        let (a, b) = (random.point(), random.point());
+        let left = [a, b, random.point()];
+        // The other triangle, and triangles whose planes run through points of the edge.
+        let mut shapes = vec![triangle(left), triangle([b, a, random.point()])];
+        for _ in 0..6 {
+            let m = a.lerp(b, random.share());
+            shapes.push(triangle([m, random.point(), random.point()]));
+        }
+        let at_the_edge: Vec<Ray> = (0..rays)
+            .filter_map(|_| towards(3.0 * random.direction(), a.lerp(b, random.share())))
+            .collect();
+        met += as_the_list("edge", &shapes, at_the_edge.into_iter());
+    }
+    assert!(met > rays, "{met}");
+}
+
+/// Source: cases 36 and 38. Expected: what only touches a polygon's plane, or lies in it, is not cut by it.
+#[test]
+fn case_36_38_what_touches_a_plane_is_not_cut() {
+    let p = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+    let wall = [p(0.0, -9.0, -9.0), p(0.0, 9.0, -9.0), p(0.0, 0.0, 9.0)];
+    let corner = [p(0.0, 0.0, 0.0), p(1.0, 0.3, 0.1), p(1.0, -0.2, 0.4)];
+    let edge = [p(0.0, 1.0, 0.0), p(0.0, 2.0, 0.0), p(-1.0, 1.5, 0.3)];
+    let shapes = [wall, corner, edge].map(triangle);
+    let tree = Accel::build(AccelKind::BspPolygon, &shapes);
+    assert_eq!(tree.stats().references, 3, "{:?}", tree.stats());
+
+    let mut random = Random(38);
+    let flat: Vec<Shape> = (0..count(10_000, 2_000))
+        .map(|_| {
+            let mut corner = || p(9.0 * random.unit(), 0.0, 9.0 * random.unit());
+            triangle([corner(), corner(), corner()])
+        })
+        .collect();
+    let stats = Accel::build(AccelKind::BspPolygon, &flat).stats();
+    assert_eq!(
+        (stats.depth, stats.references),
+        (1, flat.len()),
+        "{stats:?}"
+    );
+}
+
+/// Source: cases 40 and 41. Expected: rays in the planes that split, from points on them, and from points on polygons find what
+/// the list finds.
+#[test]
+fn case_40_41_rays_in_and_from_the_planes_that_split() {
+    let mut random = Random(40);
+    let mut met = 0;
+    for _ in 0..count(100, 10) {
+        let shapes: Vec<Shape> = (0..30)
+            .map(|_| {
+                let mut corner = || (4.0 * random.point()).round() / 4.0;
+                triangle([corner(), corner(), corner()])
+            })
+            .collect();
+        let tree = Accel::build(AccelKind::BspPolygon, &shapes);
+        let planes: Vec<_> = (0..200).filter_map(|id| tree.plane(id)).collect();
+        let mut rays = Vec::new();
+        for (n, d) in planes {
+            let on = |p: DVec3| p - (n.dot(p) - d) * n;
+            let (from, to) = (on(2.0 * random.point()), on(random.point()));
+            rays.extend(towards(from, to));
+            rays.push(Ray::new(from, random.direction()));
+        }
+        for shape in &shapes {
+            if let Shape::Triangle(t) = shape {
+                let [a, b, c] = t.corners;
+                rays.push(Ray::new((a + b + c) / 3.0, random.direction()));
+                rays.extend(towards(a, b.lerp(c, random.share())));
+            }
+        }
+        met += as_the_list("planes", &shapes, rays.into_iter());
+    }
+    assert!(met > 500, "{met}");
+}
+
+/// Source: case 42. Expected: a scene that is moved by 1e9 and turned by 1e-12 shows the same shapes, in 99.99 % of rays.
+#[test]
+fn case_42_a_scene_moved_far_away_shows_the_same() {
+    let mut random = Random(42);
+    let corners: Vec<[DVec3; 3]> = (0..300)
+        .map(|_| {
+            let middle = 5.0 * random.point();
+            [0; 3].map(|_| middle + random.point())
+        })
+        .collect();
+    let turn = |p: DVec3| DVec3::new(p.x - 1e-12 * p.y, p.y + 1e-12 * p.x, p.z);
+    let offset = 1e9 * DVec3::new(1.0, -1.0, 0.5);
+    let here: Vec<Shape> = corners.iter().map(|c| triangle(*c)).collect();
+    let there: Vec<Shape> = corners
+        .iter()
+        .map(|c| triangle(c.map(|p| offset + turn(p))))
+        .collect();
+    let (near, far) = (
+        Accel::build(AccelKind::BspPolygon, &here),
+        Accel::build(AccelKind::BspPolygon, &there),
+    );
+    let (mut met, mut other) = (0, 0);
+    for _ in 0..count(1_000_000, 20_000) {
+        let Some(ray) = towards(10.0 * random.direction(), 4.0 * random.point()) else {
+            continue;
+        };
+        let moved = Ray::new(offset + turn(ray.origin), ray.direction);
+        let id = |accel: &Accel, shapes: &[Shape], ray: &Ray| {
+            let hit = accel.closest(shapes, ray, Interval::FORWARD, &mut Silent);
+            hit.map(|hit| hit.primitive)
+        };
+        let (a, b) = (id(&near, &here, &ray), id(&far, &there, &moved));
+        met += usize::from(a.is_some());
+        other += usize::from(a != b);
+    }
+    println!("{met} hits, {other} of them another shape");
+    assert!(met > 5_000 && other * 10_000 <= met, "{other} of {met}");
 }

@@ -8,10 +8,12 @@
 mod common;
 
 mod bsp;
+mod camera;
 mod media;
 mod meshes;
 mod optics;
 mod oracle;
+mod shadows;
 mod spheres;
 mod support;
 mod triangles;

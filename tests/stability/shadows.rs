@@ -1,0 +1,210 @@
+//! Shadow rays at the very surface that sends them, and lights in impossible places.
+
+use raytree::accel::{Accel, AccelKind};
+use raytree::geometry::{Aabb, Cuboid, Shape, Sphere};
+use raytree::math::{DVec3, Interval, Ray, Rgb};
+use raytree::probe::Silent;
+use raytree::scene::{Settings, World};
+use raytree::shading::Interaction;
+use raytree::trace::trace_pixel;
+
+use super::support::{Mesh, Random, count, scene};
+
+/// Where a ray arrives on flat-shaded shapes.
+fn arrival(accel: &Accel, shapes: &[Shape], ray: &Ray) -> Option<Interaction> {
+    let hit = accel.closest(shapes, ray, Interval::FORWARD, &mut Silent)?;
+    let surface = shapes[hit.primitive as usize].surface(ray, hit.t, hit.barycentric);
+    Some(Interaction::new(&surface, ray.direction, None))
+}
+
+/// Source: case 49. Expected: a convex solid never stands in the way of its own surface.
+#[test]
+fn case_49_a_convex_solid_does_not_shadow_itself() {
+    let mut random = Random(49);
+    let mut sent = 0;
+    for offset in [0.0, 1e3, 1e6, 1e9] {
+        let middle = offset * DVec3::new(1.0, -0.7, 0.3);
+        let solids = [
+            vec![Shape::Sphere(Sphere {
+                center: middle,
+                radius: 1.5,
+            })],
+            vec![Shape::Cuboid(Cuboid {
+                bounds: Aabb {
+                    min: middle - DVec3::new(1.0, 0.4, 1.3),
+                    max: middle + DVec3::new(1.0, 0.4, 1.3),
+                },
+            })],
+            Mesh::globe(1, 4, 0.0).moved(|p| middle + p).shapes(),
+        ];
+        for shapes in solids {
+            let accel = Accel::build(AccelKind::Bsp, &shapes);
+            for _ in 0..count(100_000, 4_000) {
+                let origin = middle + 5.0 * random.direction();
+                let target = middle + 0.9 * random.point();
+                let ray = Ray::new(origin, (target - origin).normalize());
+                let Some(at) = arrival(&accel, &shapes, &ray) else {
+                    continue;
+                };
+                let direction = random.direction();
+                if direction.dot(at.geometric_normal) <= 0.0 {
+                    continue;
+                }
+                sent += 1;
+                let shadow = Ray::new(at.origin_towards(direction), direction);
+                let blocker = accel.any(&shapes, &shadow, Interval::FORWARD, &mut Silent);
+                assert_eq!(blocker, None, "{offset}: {at:?}, {shadow:?}");
+            }
+        }
+    }
+    assert!(sent > count(300_000, 12_000), "{sent}");
+}
+
+/// Source: case 50. Expected: a plate 1e-9 above another shadows it; the plate itself does not.
+#[test]
+fn case_50_plates_a_billionth_apart_shadow_each_other() {
+    let mut random = Random(50);
+    for offset in [0.0, 1e3] {
+        let plate = |y: f64| {
+            let at = |x: f64, z: f64| offset * DVec3::new(1.0, 0.0, 0.5) + DVec3::new(x, y, z);
+            let [a, b, c, d] = [at(-9.0, -9.0), at(-9.0, 9.0), at(9.0, 9.0), at(9.0, -9.0)];
+            [[a, b, c], [a, c, d]].map(super::support::triangle)
+        };
+        let lower = plate(0.0);
+        let both = [lower.clone(), plate(1e-9)].concat();
+        let [alone, both] = [lower.to_vec(), both].map(|shapes| {
+            let accel = Accel::build(AccelKind::Bsp, &shapes);
+            (accel, shapes)
+        });
+        for _ in 0..count(100_000, 4_000) {
+            let aim =
+                offset * DVec3::new(1.0, 0.0, 0.5) + DVec3::new(random.unit(), 0.0, random.unit());
+            let ray = Ray::new(aim + DVec3::Y, DVec3::NEG_Y);
+            let at = arrival(&alone.0, &alone.1, &ray).expect("the plate is below");
+            let direction = DVec3::new(random.unit(), 0.1 + random.share(), random.unit());
+            let direction = direction.normalize();
+            let shadow = Ray::new(at.origin_towards(direction), direction);
+            let blocked = |(accel, shapes): &(Accel, Vec<Shape>)| {
+                let found = accel.any(shapes, &shadow, Interval::FORWARD, &mut Silent);
+                found.is_some()
+            };
+            assert!(!blocked(&alone) && blocked(&both), "{offset}: {shadow:?}");
+        }
+    }
+}
+
+fn world(eye: [f64; 3], look_at: [f64; 3], light: [f64; 3], objects: &str) -> World {
+    let text = format!(
+        r#"{{"format": "raytree-scene/1",
+        "camera": {{"eye": {eye:?}, "look_at": {look_at:?}, "vertical_fov": 60}},
+        "materials": {{"chalk": {{"diffuse": [0.5, 0.5, 0.5], "specular": [0.2, 0.2, 0.2]}}}},
+        "lights": [{{"point": {{"name": "lamp", "position": {light:?}, "intensity": [1, 1, 1], "attenuation": [0, 0, 1]}}}}],
+        "objects": [{objects}]}}"#
+    );
+    World::new(scene(&text), AccelKind::default())
+}
+
+fn pixels(world: &World, size: u32) -> Vec<Rgb> {
+    let settings = Settings {
+        width: size,
+        height: size,
+        ..Settings::default()
+    };
+    let pixel = |i: u32| trace_pixel(world, &settings, (i % size, i / size), false);
+    (0..size * size).map(|i| pixel(i).pixel.color).collect()
+}
+
+/// Source: case 51. Expected: a light on the surface, and at the very point that is shaded, where its distance is 0 and its
+/// strength without bound, makes no pixel that is not a number.
+#[test]
+fn case_51_a_light_on_the_surface_makes_no_nan() {
+    let floor = r#"{"plane": {"name": "floor", "material": "chalk", "point": [0, 0, 0], "normal": [0, 1, 0]}}"#;
+    for light in [
+        [0.0, 0.0, 0.0],
+        [0.0, 1e-300, 0.0],
+        [0.0, -1e-300, 0.0],
+        [0.0, 5e-324, 0.0],
+    ] {
+        // The middle of the picture is the light itself.
+        let world = world([0.0, 2.0, 2.0], [0.0; 3], light, floor);
+        for color in pixels(&world, 9) {
+            assert!(
+                color.channels().iter().all(|c| c.is_finite() && *c >= 0.0),
+                "{color:?}"
+            );
+        }
+    }
+}
+
+/// Source: case 52. Expected: a light inside a sphere lights nothing outside of it; on its centre it lights the inside evenly,
+/// Kd I / r^2 and, where R points to the eye, a highlight.
+#[test]
+fn case_52_a_light_inside_a_sphere_stays_inside() {
+    for r in [1.0, 1e-3, 1e6] {
+        let ball = format!(
+            r#"{{"sphere": {{"name": "ball", "material": "chalk", "center": [0, 0, 0], "radius": {r}}}}}"#
+        );
+        let outside = world([0.0, 0.5 * r, 3.0 * r], [0.0; 3], [0.0; 3], &ball);
+        assert!(pixels(&outside, 12).iter().all(|c| c.is_black()));
+        let inside = world([0.0, 0.1 * r, 0.5 * r], [0.0; 3], [0.0; 3], &ball);
+        for color in pixels(&inside, 12) {
+            let [lit, ..] = color.channels().map(|c| c * r * r);
+            assert!((0.5 - 1e-12..=0.7 + 1e-12).contains(&lit), "{lit}");
+        }
+    }
+}
+
+/// Source: case 60; Hanika 2021, "Hacking the shadow terminator". A smooth-shaded globe of few triangles is dark where the
+/// light is behind the triangle, though the blended normal still sees it. What is lost is bounded by how far the normal is
+/// bent: no more than the sine of the angle between the two normals. What is lit has exactly the light of a true ball.
+#[test]
+fn case_60_the_terminator_loses_no_more_than_normals_are_bent() {
+    let Mesh { points, faces } = Mesh::globe(7, 12, 0.0);
+    let points: Vec<[f64; 3]> = points.iter().map(DVec3::to_array).collect();
+    let globe = format!(
+        r#"{{"mesh": {{"name": "globe", "material": "chalk", "vertices": {points:?}, "normals": {points:?}, "triangles": {faces:?}}}}}"#
+    );
+    let size = count(128, 24) as u32;
+    let text = format!(
+        r#"{{"format": "raytree-scene/1",
+        "camera": {{"eye": [0, 0, 4], "look_at": [0, 0, 0], "vertical_fov": 32}},
+        "materials": {{"chalk": {{"diffuse": [1, 1, 1]}}}},
+        "lights": [{{"directional": {{"name": "sun", "direction": [-1, -0.2, 0.1], "intensity": [1, 1, 1]}}}}],
+        "objects": [{globe}]}}"#
+    );
+    let world = World::new(scene(&text), AccelKind::default());
+    let to_light = DVec3::new(1.0, 0.2, -0.1).normalize();
+    let settings = Settings {
+        width: size,
+        height: size,
+        ..Settings::default()
+    };
+    let (mut lit, mut lost, mut most) = (0, 0, 0.0f64);
+    for (x, y) in (0..size).flat_map(|y| (0..size).map(move |x| (x, y))) {
+        let ray = world
+            .scene
+            .camera
+            .ray([f64::from(x) + 0.5, f64::from(y) + 0.5], (size, size));
+        let Some(hit) = world.closest(&ray, 0.0, &mut Silent) else {
+            continue;
+        };
+        let at = world.scene.interaction(&ray, &hit);
+        let true_light = at.normal.dot(to_light).max(0.0);
+        let color = trace_pixel(&world, &settings, (x, y), false).pixel.color;
+        let [found, ..] = color.channels();
+        if found > 0.0 {
+            assert!((found - true_light).abs() < 1e-15, "({x}, {y})");
+            lit += 1;
+        } else {
+            let bent = at.normal.cross(at.geometric_normal).length();
+            assert!(
+                true_light <= bent + 1e-15,
+                "({x}, {y}): {true_light}, {bent}"
+            );
+            lost += usize::from(true_light > 0.0);
+            most = most.max(true_light);
+        }
+    }
+    println!("{lit} lit, {lost} lost at the terminator, at most {most:.3} of the light");
+    assert!(lit > 50 && lost > 0, "{lit} {lost}");
+}
