@@ -114,6 +114,7 @@ fn random(of: u64, which: u64) -> DVec3 {
 /// A dull surface.
 fn plain(name: &str, color: Rgb) -> Material {
     Material {
+        priority: 0,
         name: name.to_string(),
         ambient: color,
         diffuse: color,
