@@ -1,57 +1,44 @@
 //! The double-precision test of eight rays, each against a triangle of its own: the operations of
 //! [`crate::geometry::Triangle`] in the same order.
+//!
+//! Closures are only given to functions that are always inlined: others would be compiled without the instructions of
+//! the level.
 
-// Plain loops are what becomes vector instructions.
-#![allow(clippy::needless_range_loop)]
-
+use super::rays::{Rays, Row};
 use crate::accel::lanes::{self, Seen};
 use crate::accel::simd::Level;
 use crate::geometry::triangle::CANCELLED;
-use crate::geometry::{Hit, Shear, Triangle};
-use crate::math::{Interval, Ray};
+use crate::geometry::{Hit, Triangle};
 
 /// Rays that are tested at once.
 pub const LANES: usize = 8;
 
-/// A ray and the triangle that it may hit.
-pub type Pair<'a> = (&'a (Ray, Interval), &'a Triangle);
+type Eight = [f64; LANES];
 
-type Row = [f64; LANES];
+/// The triangles of eight rays, as far as there are any: corner by corner x, y, z.
+pub struct Corners([[Eight; 3]; 3]);
 
 /// What is found.
 pub struct Found {
-    /// Rays that hit, and rays whose test needs one of its rare branches.
+    /// Rays that hit, and rays that need the test's rare branches or another view than the rest.
     pub hits: u32,
     pub rare: u32,
-    t: Row,
-    weights: [Row; 3],
+    pub t: Eight,
+    weights: [Eight; 3],
 }
 
-/// Eight rays and their triangles, in the order of each ray's view.
-struct Rows {
-    /// Corner by corner x, y, z.
-    corners: [[Row; 3]; 3],
-    origin: [Row; 3],
-    direction: [Row; 3],
-    min: Row,
-    max: Row,
-}
+impl Corners {
+    /// No triangle.
+    pub const NONE: Self = Self([[[0.0; LANES]; 3]; 3]);
 
-/// Tests each ray against its triangle.
-#[inline(always)]
-pub fn decide<L: Level>(level: L, pairs: &[Pair; LANES]) -> Found {
-    let Rows {
-        corners,
-        origin,
-        direction: d,
-        min,
-        max,
-    } = &Rows::new(pairs);
-    let (mut slope, mut stretch) = ([[0.0; LANES]; 2], [0.0; LANES]);
-    for i in 0..LANES {
-        slope[0][i] = d[0][i] / d[2][i];
-        slope[1][i] = d[1][i] / d[2][i];
-        stretch[i] = 1.0 / d[2][i];
+    /// Puts a ray's triangle into a lane.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, triangle: &Triangle) {
+        for (rows, corner) in self.0.iter_mut().zip(&triangle.corners) {
+            rows[0][lane] = corner.x;
+            rows[1][lane] = corner.y;
+            rows[2][lane] = corner.z;
+        }
     }
     let a = seen(&corners[0], origin, &slope);
     let b = seen(&corners[1], origin, &slope);
@@ -63,49 +50,70 @@ pub fn decide<L: Level>(level: L, pairs: &[Pair; LANES]) -> Found {
     );
     let candidates = level.positive8(&lanes::inside(&u, &v, &w));
 
-    let (mut t, mut kept, mut weights) = ([0.0; LANES], [0.0; LANES], [[0.0; LANES]; 3]);
-    for i in 0..LANES {
-        let area = u[i] + v[i] + w[i];
-        let depth = |corner: usize| stretch[i] * (corners[corner][2][i] - origin[2][i]);
-        t[i] = (u[i] * depth(0) + v[i] * depth(1) + w[i] * depth(2)) / area;
-        let sum = products(&b, &c, i) + products(&c, &a, i) + products(&a, &b, i);
-        kept[i] = area.abs() - CANCELLED * sum;
-        weights[0][i] = u[i] / area;
-        weights[1][i] = v[i] / area;
-        weights[2][i] = w[i] / area;
-    }
-    let plain =
-        level.positive8(&kept) & crossed(level, &u) & crossed(level, &v) & crossed(level, &w);
-    let inside = level.less8(min, &t) & level.less8(&t, max);
-    Found {
-        hits: candidates & plain & inside,
-        rare: candidates & !plain,
-        t,
-        weights,
-    }
-}
-
-impl Rows {
+    /// Tests each ray of a half of the packet against its triangle.
     #[inline(always)]
-    fn new(pairs: &[Pair; LANES]) -> Self {
-        let mut out = Self {
-            corners: [[[0.0; LANES]; 3]; 3],
-            origin: [[0.0; LANES]; 3],
-            direction: [[0.0; LANES]; 3],
-            min: [0.0; LANES],
-            max: [0.0; LANES],
+    pub fn decide<L: Level>(&self, level: L, rays: &Rays, half: usize) -> Found {
+        // The view that all rays share whose direction is longest along the same axis.
+        let [x, y, z] = rays.axes;
+        let [x, y] = if rays.backwards[z] == 1 {
+            [y, x]
+        } else {
+            [x, y]
         };
-        for i in 0..LANES {
-            let ((ray, interval), triangle) = pairs[i];
-            let axes = Shear::axes(ray.direction);
-            for k in 0..3 {
-                for corner in 0..3 {
-                    out.corners[corner][k][i] = triangle.corners[corner].to_array()[axes[k]];
-                }
-                out.origin[k][i] = ray.origin.to_array()[axes[k]];
-                out.direction[k][i] = ray.direction.to_array()[axes[k]];
-            }
-            (out.min[i], out.max[i]) = (interval.min, interval.max);
+        let (origin, direction) = (&rays.world.origin, &rays.world.direction);
+        let o = [
+            eight(&origin[x], half),
+            eight(&origin[y], half),
+            eight(&origin[z], half),
+        ];
+        let d = [
+            eight(&direction[x], half),
+            eight(&direction[y], half),
+            eight(&direction[z], half),
+        ];
+        let along = row(|i| d[2][i].abs());
+        let shared = level.less8(&row(|i| d[0][i].abs()), &along)
+            & level.less8(&row(|i| d[1][i].abs()), &along);
+
+        let slope = [row(|i| d[0][i] / d[2][i]), row(|i| d[1][i] / d[2][i])];
+        let stretch = row(|i| 1.0 / d[2][i]);
+        let [a, b, c] = &self.0;
+        let (a, b, c) = (
+            [&a[x], &a[y], &a[z]],
+            [&b[x], &b[y], &b[z]],
+            [&c[x], &c[y], &c[z]],
+        );
+        let (p, q, r) = (seen(a, o, &slope), seen(b, o, &slope), seen(c, o, &slope));
+        let (u, v, w) = (
+            lanes::edge(&q, &r),
+            lanes::edge(&r, &p),
+            lanes::edge(&p, &q),
+        );
+        let candidates = level.positive8(&lanes::inside(&u, &v, &w));
+
+        let area = row(|i| u[i] + v[i] + w[i]);
+        let depth_a = row(|i| stretch[i] * (a[2][i] - o[2][i]));
+        let depth_b = row(|i| stretch[i] * (b[2][i] - o[2][i]));
+        let depth_c = row(|i| stretch[i] * (c[2][i] - o[2][i]));
+        let t = row(|i| (u[i] * depth_a[i] + v[i] * depth_b[i] + w[i] * depth_c[i]) / area[i]);
+        let (qr, rp, pq) = (products(&q, &r), products(&r, &p), products(&p, &q));
+        let kept = row(|i| area[i].abs() - CANCELLED * (qr[i] + rp[i] + pq[i]));
+        let nothing = [0.0; LANES];
+        let plain = level.positive8(&kept)
+            & level.less8(&nothing, &row(|i| u[i].abs()))
+            & level.less8(&nothing, &row(|i| v[i].abs()))
+            & level.less8(&nothing, &row(|i| w[i].abs()));
+        let inside = level.less8(eight(&rays.world.min, half), &t)
+            & level.less8(&t, eight(&rays.world.max, half));
+        Found {
+            hits: candidates & plain & inside & shared,
+            rare: candidates & !plain | !shared,
+            t,
+            weights: [
+                row(|i| u[i] / area[i]),
+                row(|i| v[i] / area[i]),
+                row(|i| w[i] / area[i]),
+            ],
         }
         out
     }
@@ -144,4 +152,32 @@ impl Found {
             barycentric: [u[lane], v[lane], w[lane]],
         }
     }
+}
+
+/// Half of a packet's row.
+#[inline(always)]
+fn eight(row: &Row<f64>, half: usize) -> &Eight {
+    &row.as_chunks().0[half]
+}
+
+/// A corner as each ray sees it.
+#[inline(always)]
+fn seen(corner: [&Eight; 3], origin: [&Eight; 3], slope: &[Eight; 2]) -> Seen<f64, LANES> {
+    lanes::seen(|k, i| corner[k][i], |k, i| origin[k][i], |k, i| slope[k][i])
+}
+
+/// How large the products in an edge function are.
+#[inline(always)]
+fn products(p: &Seen<f64, LANES>, q: &Seen<f64, LANES>) -> Eight {
+    row(|i| (q[0][i] * p[1][i]).abs() + (q[1][i] * p[0][i]).abs())
+}
+
+/// A row of what is the same operation in each lane.
+#[inline(always)]
+fn row(f: impl Fn(usize) -> f64) -> Eight {
+    let mut row = [0.0; LANES];
+    for (i, out) in row.iter_mut().enumerate() {
+        *out = f(i);
+    }
+    row
 }

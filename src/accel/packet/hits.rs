@@ -7,7 +7,7 @@
 // Plain loops are what becomes vector instructions.
 #![allow(clippy::needless_range_loop)]
 
-use super::decide::{LANES, Pair, decide};
+use super::decide::{Corners, LANES};
 use super::rays::{RAYS, Rays, Row};
 use crate::accel::Query;
 use crate::accel::filter::{depth_doubt, depth_inside};
@@ -78,8 +78,8 @@ impl<'a> Hits<'a> {
         primitive: u32,
         met: u32,
     ) -> bool {
-        let [x, y, z] = rays.axes;
-        let o = [&rays.origin[x], &rays.origin[y], &rays.origin[z]];
+        let Rays { axes, origin, .. } = &*rays;
+        let o = [&origin[axes[0]], &origin[axes[1]], &origin[axes[2]]];
         let slope = &rays.slope;
         let depth =
             depth_inside::<RAYS>(|c, k, _| corners[k][c], |k, i| o[k][i], |k, i| slope[k][i]);
@@ -115,9 +115,16 @@ impl<'a> Hits<'a> {
             return may != 0;
         }
         // Behind what was put off: the double test of that comes now, unless this one surely hides it.
-        let hidden = surely & !level.le16(&self.nearest, &farthest);
-        for i in each(may & self.waiting & !hidden) {
-            self.test::<ANY>(rays, i, self.pending[i]);
+        for i in each(may) {
+            let hides = surely >> i & 1 == 1 && farthest[i] < self.nearest[i];
+            if self.pending[i] != NONE && self.pending[i] != primitive && !hides {
+                self.test::<ANY>(rays, i, self.pending[i]);
+            }
+            self.pending[i] = primitive;
+            self.nearest[i] = nearest[i];
+        }
+        for i in each(surely) {
+            rays.max[i] = smaller(rays.max[i], farthest[i]);
         }
         self.waiting |= may;
         set(&mut self.pending, may, &[primitive; RAYS]);
@@ -129,14 +136,18 @@ impl<'a> Hits<'a> {
     /// The double test of all that was put off.
     #[inline(always)]
     pub fn decide<L: Level>(&mut self, level: L, rays: &mut Rays) {
-        while self.waiting != 0 {
-            // Where there is no more, the first stands again.
-            let mut lanes = [self.waiting.trailing_zeros() as usize; LANES];
-            let mut count = 0;
-            while self.waiting != 0 && count < LANES {
-                lanes[count] = self.waiting.trailing_zeros() as usize;
-                self.waiting &= self.waiting - 1;
-                count += 1;
+        for half in 0..RAYS / LANES {
+            let mut corners = Corners::NONE;
+            let mut open = 0;
+            for lane in 0..LANES {
+                let primitive = self.pending[half * LANES + lane];
+                if primitive == NONE {
+                    continue;
+                }
+                if let Shape::Triangle(triangle) = &self.shapes[primitive as usize] {
+                    open |= 1 << lane;
+                    corners.set(lane, triangle);
+                }
             }
             let Some(first) = self.pair(lanes[0]) else {
                 continue;
@@ -145,10 +156,10 @@ impl<'a> Hits<'a> {
             for i in 1..LANES {
                 pairs[i] = self.pair(lanes[i]).unwrap_or(first);
             }
-            let (found, open) = (decide(level, &pairs), (1 << count) - 1);
-            for at in each(found.hits & open) {
-                let i = lanes[at];
-                let hit = found.hit(at, self.pending[i]);
+            let found = corners.decide(level, rays, half);
+            for lane in each(found.hits & open) {
+                let i = half * LANES + lane;
+                let hit = found.hit(lane, self.pending[i]);
                 let best = &mut self.best[i];
                 if best.is_none_or(|b| (hit.t, hit.primitive) < (b.t, b.primitive)) {
                     *best = Some(hit);

@@ -35,11 +35,20 @@ pub struct Rays {
     pub slope: [Row<f32>; 2],
     start: Row<f64>,
     rate: Row<f64>,
+    pub world: World,
     /// The largest of all.
     pub pad: f32,
     /// The same for all rays: which planes are near, and the order of the axes in the view.
     pub backwards: [usize; 3],
     pub axes: [usize; 3],
+}
+
+/// The same rays in world space, in double precision.
+pub struct World {
+    pub origin: [Row<f64>; 3],
+    pub direction: [Row<f64>; 3],
+    pub min: Row<f64>,
+    pub max: Row<f64>,
 }
 
 impl Rays {
@@ -70,8 +79,10 @@ impl Rays {
             for k in 0..3 {
                 local[k][i] = (o[k][i] - center[k]) * frame.scale;
             }
-            let (longest, reach) = (most(&d, i), most(&local, i));
-            pads[i] = frame.slack.within(most(&o, i)) * frame.scale + 16.0 * U * (1.0 + reach);
+            let longest = max(max(d[0][i].abs(), d[1][i].abs()), d[2][i].abs());
+            let reach = max(max(local[0][i].abs(), local[1][i].abs()), local[2][i].abs());
+            let farthest = max(max(o[0][i].abs(), o[1][i].abs()), o[2][i].abs());
+            pads[i] = frame.slack.within(farthest) * frame.scale + 16.0 * U * (1.0 + reach);
             // Negative where the ray is not an ordinary one; NaN where a number is none.
             let sum = d[0][i] + d[1][i] + d[2][i] + o[0][i] + o[1][i] + o[2][i];
             let direction = min(1.0 - longest, longest - 0.5);
@@ -82,9 +93,11 @@ impl Rays {
             pads[i] = if plain[i] >= 0.0 { pads[i] } else { 0.0 };
         }
         let (plain, starts, ends) = (halves(&plain), halves(&start), halves(&end));
-        let first = level.positive8(&plain[0]) & level.less8(&starts[0], &ends[0]);
-        let second = level.positive8(&plain[1]) & level.less8(&starts[1], &ends[1]);
-        let odd = !(first | second << 8) & ALL;
+        let mut odd = ALL;
+        for h in 0..2 {
+            let ordinary = level.positive8(&plain[h]) & level.less8(&starts[h], &ends[h]);
+            odd &= !(ordinary << (8 * h));
+        }
 
         let mut out = Self {
             origin: [[0.0; RAYS]; 3],
@@ -96,6 +109,12 @@ impl Rays {
             slope: [[0.0; RAYS]; 2],
             start: [0.0; RAYS],
             rate: [frame.scale; RAYS],
+            world: World {
+                origin: o,
+                direction: d,
+                min: start,
+                max: end,
+            },
             pad: round_up(folded(pads, max)),
             backwards: [0; 3],
             axes: [0; 3],
@@ -190,16 +209,15 @@ impl Rays {
             1 + usize::from(z <= y)
         };
         self.axes = [(z + 1) % 3, (z + 2) % 3, z];
-        let mut steepest = [0.0; RAYS];
+        let mut steep = [0.0; RAYS];
         for k in 0..2 {
             let along = &self.inverse[self.axes[k]];
             for i in 0..RAYS {
-                let slope = self.inverse[z][i] / along[i];
-                self.slope[k][i] = slope;
-                steepest[i] = larger(steepest[i], slope.abs());
+                self.slope[k][i] = self.inverse[z][i] / along[i];
+                steep[i] = larger(steep[i], self.slope[k][i].abs());
             }
         }
-        level.le16(&steepest, &[STEEPEST; RAYS]) == ALL
+        level.le16(&steep, &[STEEPEST; RAYS]) == ALL
     }
 
     /// Ends a ray at a hit at t.
