@@ -26,7 +26,7 @@ const LIST_LIMIT: usize = 100;
 /// A structure that finds hits.
 enum Contestant {
     Ours(AccelKind, Accel),
-    Bundles(Accel),
+    Bundles(AccelKind, Accel),
     Peer(&'static str, Peer),
 }
 
@@ -34,7 +34,7 @@ impl Contestant {
     fn name(&self) -> String {
         match self {
             Self::Ours(kind, _) => format!("`{}`", kind.name()),
-            Self::Bundles(_) => "`wide`, bundles".to_string(),
+            Self::Bundles(kind, _) => format!("`{}`, bundles", kind.name()),
             Self::Peer(name, _) => (*name).to_string(),
         }
     }
@@ -48,7 +48,7 @@ impl Contestant {
     ) -> Box<dyn Fn() -> usize + 'a> {
         match self {
             Self::Ours(_, accel) => Box::new(move || one_by_one(accel, shapes, rays, any)),
-            Self::Bundles(accel) => Box::new(move || in_bundles(accel, shapes, rays, any)),
+            Self::Bundles(_, accel) => Box::new(move || in_bundles(accel, shapes, rays, any)),
             Self::Peer(_, peer) => peer.run(rays, any),
         }
     }
@@ -138,7 +138,7 @@ fn contestants(triangles: &[Triangle], shapes: &[Shape]) -> (Vec<Contestant>, Ve
         let bytes = accel.stats().bytes;
         if accel.gains_from_bundles() {
             add(
-                Contestant::Bundles(accel.clone()),
+                Contestant::Bundles(kind, accel.clone()),
                 ratios.clone(),
                 Some(bytes),
             );

@@ -81,7 +81,7 @@ pub fn build(shapes: &[Shape]) -> Planes {
         let levels = (8 + 2 * count.ilog2()).min(MAX_DEPTH);
         tree = grow(&clip, cell, levels, (MAX_REFERENCES - 1) * count);
     }
-    Planes::new(frame, bounds, tree, sifted)
+    Planes::new(frame, bounds, tree, sifted.outside, shapes)
 }
 
 /// The box around some items.

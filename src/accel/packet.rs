@@ -8,10 +8,12 @@
 
 mod decide;
 mod hits;
+mod outline;
 mod rays;
 
 pub use hits::{Hits, each};
-pub use rays::{RAYS, Rays, folded};
+pub use outline::Outline;
+pub use rays::{RAYS, Rays, Row, folded};
 
 use super::Accel;
 use super::local::Frame;
@@ -47,7 +49,10 @@ pub trait Follow {
 impl Accel {
     /// Whether asking for many rays at once is quicker than one by one.
     pub fn gains_from_bundles(&self) -> bool {
-        matches!(self, Self::Wide(_))
+        match self {
+            Self::Wide(_) | Self::Planes(_) => true,
+            _ => false,
+        }
     }
 
     /// The closest hits of many rays, each inside its own interval: what [`Accel::closest`] says of each. Rays that
@@ -59,9 +64,18 @@ impl Accel {
         rays: &[(Ray, Interval)],
         out: &mut [Option<Hit>],
     ) {
-        match self {
-            Self::Wide(wide) => self.closest_together(wide, shapes, rays, out),
-            _ => self.closest_each(shapes, rays, out),
+        for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
+            let together = match self {
+                Self::Wide(wide) => closest(wide, shapes, rays, out),
+                Self::Planes(planes) => closest(planes, shapes, rays, out),
+                _ => false,
+            };
+            if together {
+                continue;
+            }
+            for ((ray, interval), out) in rays.iter().zip(out) {
+                *out = self.closest(shapes, ray, *interval, &mut Silent);
+            }
         }
     }
 
@@ -94,9 +108,13 @@ impl Accel {
     ) {
         let waiting = &mut T::Waiting::default();
         for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
-            let rays = &rays[..rays.len().min(out.len())];
-            if together::<false, T>(tree, shapes, rays, out, waiting).is_none() {
-                self.closest_each(shapes, rays, out);
+            let together = match self {
+                Self::Wide(wide) => any(wide, shapes, rays, out),
+                Self::Planes(planes) => any(planes, shapes, rays, out),
+                _ => false,
+            };
+            if together {
+                continue;
             }
         }
     }
@@ -126,7 +144,38 @@ impl Accel {
 /// The mask of rays that hit something, if any hit will do; else their hits are in `best`. `None`, and nothing done, if
 /// the rays do not go together.
 #[inline]
-pub fn together<const ANY: bool, T: Follow>(
+pub fn closest<T: Follow>(
+    tree: &T,
+    shapes: &[Shape],
+    rays: &[(Ray, Interval)],
+    out: &mut [Option<Hit>],
+) -> bool {
+    let best = &mut out[..rays.len().min(RAYS)];
+    together::<false, T>(tree.isa(), tree, shapes, rays, best).is_some()
+}
+
+/// Whether each of at most [`RAYS`] rays hits anything; false, and nothing done, if they do not go together.
+#[inline]
+pub fn any<T: Follow>(
+    tree: &T,
+    shapes: &[Shape],
+    rays: &[(Ray, Interval)],
+    out: &mut [bool],
+) -> bool {
+    let best = &mut [None; RAYS][..rays.len().min(RAYS)];
+    let Some(found) = together::<true, T>(tree.isa(), tree, shapes, rays, best) else {
+        return false;
+    };
+    for (i, out) in out.iter_mut().enumerate().take(rays.len()) {
+        *out = found >> i & 1 == 1;
+    }
+    true
+}
+
+/// The mask of rays that hit something, if any hit will do; else their hits are in `best`.
+#[inline]
+fn together<const ANY: bool, T: Follow>(
+    isa: Isa,
     tree: &T,
     shapes: &[Shape],
     rays: &[(Ray, Interval)],
@@ -134,7 +183,7 @@ pub fn together<const ANY: bool, T: Follow>(
     waiting: &mut T::Waiting,
 ) -> Option<u32> {
     let frame = tree.frame()?;
-    tree.isa().run(Together::<ANY, T> {
+    isa.run(Together::<ANY, T> {
         tree,
         frame,
         shapes,
@@ -172,3 +221,6 @@ impl<const ANY: bool, T: Follow> Task for Together<'_, ANY, T> {
         Some(hits.found)
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests;

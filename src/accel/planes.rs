@@ -13,11 +13,13 @@
 //! a way of at most 2 (r + 1); the division 4 (r + 1); in all less than 48 (r + 1), and the slack along n is at most
 //! sqrt 3 times that along an axis. Four times the thickness for axes, 64 (1 + r), is more.
 
+mod packet;
 mod traverse;
 
 use super::local::Frame;
-use super::sift::Sifted;
+use super::packet::Outline;
 use super::{AccelStats, NodeView};
+use crate::geometry::Shape;
 use crate::math::DVec3;
 
 /// No tree is deeper, so a traversal's stack has a fixed size.
@@ -40,6 +42,8 @@ pub struct Planes {
     /// Around all that is in the tree: the smallest and the largest x, y and z.
     bounds: [[f32; 3]; 2],
     tree: Tree,
+    /// All shapes, for the filter of triangles.
+    outlines: Vec<Outline>,
     /// What is outside the tree and tested first, in order.
     outside: Vec<u32>,
     isa: super::simd::Isa,
@@ -156,21 +160,29 @@ impl Tree {
         self.nodes.len() - 2
     }
 
+    #[inline(always)]
     fn primitives(&self, leaf: Node) -> &[u32] {
         &self.references[leaf.first() as usize..][..leaf.number()]
     }
 }
 
 impl Planes {
-    /// A finished tree over what `sifted` says is inside; `bounds` are around it, in the frame's space.
-    pub fn new(frame: Frame, bounds: [[f32; 3]; 2], mut tree: Tree, sifted: Sifted) -> Self {
+    /// A finished tree over all shapes but those `outside`; `bounds` are around them, in the frame's space.
+    pub fn new(
+        frame: Frame,
+        bounds: [[f32; 3]; 2],
+        mut tree: Tree,
+        outside: Vec<u32>,
+        shapes: &[Shape],
+    ) -> Self {
         tree.nodes.shrink_to_fit();
         tree.references.shrink_to_fit();
         Self {
             frame,
             bounds,
             tree,
-            outside: sifted.outside,
+            outlines: shapes.iter().map(|s| Outline::of(&frame, s)).collect(),
+            outside,
             isa: super::simd::Isa::best(),
         }
     }
@@ -221,6 +233,7 @@ impl Planes {
             bytes: size_of_val(&nodes[..])
                 + size_of_val(&tilted[..])
                 + size_of_val(&references[..])
+                + size_of_val(&self.outlines[..])
                 + size_of_val(&self.outside[..]),
         }
     }

@@ -31,8 +31,8 @@ pub trait Task {
     fn run<L: Level>(self, level: L) -> Self::Output;
 }
 
-/// What differs between instruction sets. Every method is an element-wise comparison, bit i telling of element i;
-/// NaN compares as false.
+/// What differs between instruction sets. Most methods are element-wise comparisons, bit i telling of element i; NaN
+/// compares as false.
 pub trait Level: Copy {
     /// Whether a fused multiply-add is one instruction.
     const FUSED: bool;
@@ -51,6 +51,36 @@ pub trait Level: Copy {
 
     /// a < b.
     fn less8(self, a: &[f64; 8], b: &[f64; 8]) -> u32;
+
+    /// The smaller of each two elements; the second if one is NaN.
+    #[inline(always)]
+    fn min16(self, a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
+        let mut out = *b;
+        for (out, &a) in out.iter_mut().zip(a) {
+            *out = if a < *out { a } else { *out };
+        }
+        out
+    }
+
+    /// The larger of each two elements; the second if one is NaN.
+    #[inline(always)]
+    fn max16(self, a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
+        let mut out = *b;
+        for (out, &a) in out.iter_mut().zip(a) {
+            *out = if a > *out { a } else { *out };
+        }
+        out
+    }
+
+    /// a b - c of each element, with one rounding or two.
+    #[inline(always)]
+    fn multiply_subtract16(self, a: f32, b: &[f32; 16], c: &[f32; 16]) -> [f32; 16] {
+        let mut out = [0.0; 16];
+        for i in 0..16 {
+            out[i] = self.multiply_subtract(a, b[i], c[i]);
+        }
+        out
+    }
 
     /// a b - c, with one rounding or two.
     #[inline(always)]
@@ -156,9 +186,11 @@ mod x86 {
     use super::{Level, Task};
     use std::arch::x86_64::{
         _CMP_GE_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _mm_cmple_ps, _mm_loadu_ps, _mm_movemask_ps,
-        _mm256_cmp_pd, _mm256_cmp_ps, _mm256_loadu_pd, _mm256_loadu_ps, _mm256_movemask_pd,
-        _mm256_movemask_ps, _mm256_setzero_pd, _mm512_cmp_pd_mask, _mm512_cmp_ps_mask,
-        _mm512_loadu_pd, _mm512_loadu_ps, _mm512_setzero_pd,
+        _mm256_cmp_pd, _mm256_cmp_ps, _mm256_fmsub_ps, _mm256_loadu_pd, _mm256_loadu_ps,
+        _mm256_max_ps, _mm256_min_ps, _mm256_movemask_pd, _mm256_movemask_ps, _mm256_set1_ps,
+        _mm256_setzero_pd, _mm256_storeu_ps, _mm512_cmp_pd_mask, _mm512_cmp_ps_mask,
+        _mm512_fmsub_ps, _mm512_loadu_pd, _mm512_loadu_ps, _mm512_max_ps, _mm512_min_ps,
+        _mm512_set1_ps, _mm512_setzero_pd, _mm512_storeu_ps,
     };
 
     pub fn has_avx2() -> bool {
@@ -252,6 +284,52 @@ mod x86 {
                 _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b)).cast_unsigned()
             }
         }
+
+        #[inline(always)]
+        fn min16(self, a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
+            let (a, b, mut out) = (a.as_chunks::<8>().0, b.as_chunks::<8>().0, [0.0; 16]);
+            for (k, out) in out.as_chunks_mut::<8>().0.iter_mut().enumerate() {
+                unsafe {
+                    let (a, b) = (
+                        _mm256_loadu_ps(a[k].as_ptr()),
+                        _mm256_loadu_ps(b[k].as_ptr()),
+                    );
+                    _mm256_storeu_ps(out.as_mut_ptr(), _mm256_min_ps(a, b));
+                }
+            }
+            out
+        }
+
+        #[inline(always)]
+        fn max16(self, a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
+            let (a, b, mut out) = (a.as_chunks::<8>().0, b.as_chunks::<8>().0, [0.0; 16]);
+            for (k, out) in out.as_chunks_mut::<8>().0.iter_mut().enumerate() {
+                unsafe {
+                    let (a, b) = (
+                        _mm256_loadu_ps(a[k].as_ptr()),
+                        _mm256_loadu_ps(b[k].as_ptr()),
+                    );
+                    _mm256_storeu_ps(out.as_mut_ptr(), _mm256_max_ps(a, b));
+                }
+            }
+            out
+        }
+
+        #[inline(always)]
+        fn multiply_subtract16(self, a: f32, b: &[f32; 16], c: &[f32; 16]) -> [f32; 16] {
+            let (b, c, mut out) = (b.as_chunks::<8>().0, c.as_chunks::<8>().0, [0.0; 16]);
+            for (k, out) in out.as_chunks_mut::<8>().0.iter_mut().enumerate() {
+                unsafe {
+                    let (b, c) = (
+                        _mm256_loadu_ps(b[k].as_ptr()),
+                        _mm256_loadu_ps(c[k].as_ptr()),
+                    );
+                    let t = _mm256_fmsub_ps(_mm256_set1_ps(a), b, c);
+                    _mm256_storeu_ps(out.as_mut_ptr(), t);
+                }
+            }
+            out
+        }
     }
 
     impl Level for Avx512 {
@@ -296,6 +374,37 @@ mod x86 {
                 u32::from(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a, b))
             }
         }
+
+        #[inline(always)]
+        fn min16(self, a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
+            let mut out = [0.0; 16];
+            unsafe {
+                let (a, b) = (_mm512_loadu_ps(a.as_ptr()), _mm512_loadu_ps(b.as_ptr()));
+                _mm512_storeu_ps(out.as_mut_ptr(), _mm512_min_ps(a, b));
+            }
+            out
+        }
+
+        #[inline(always)]
+        fn max16(self, a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
+            let mut out = [0.0; 16];
+            unsafe {
+                let (a, b) = (_mm512_loadu_ps(a.as_ptr()), _mm512_loadu_ps(b.as_ptr()));
+                _mm512_storeu_ps(out.as_mut_ptr(), _mm512_max_ps(a, b));
+            }
+            out
+        }
+
+        #[inline(always)]
+        fn multiply_subtract16(self, a: f32, b: &[f32; 16], c: &[f32; 16]) -> [f32; 16] {
+            let mut out = [0.0; 16];
+            unsafe {
+                let (b, c) = (_mm512_loadu_ps(b.as_ptr()), _mm512_loadu_ps(c.as_ptr()));
+                let t = _mm512_fmsub_ps(_mm512_set1_ps(a), b, c);
+                _mm512_storeu_ps(out.as_mut_ptr(), t);
+            }
+            out
+        }
     }
 }
 
@@ -303,7 +412,7 @@ mod x86 {
 mod tests {
     use super::*;
 
-    /// All comparisons on numbers of every kind.
+    /// All operations on numbers of every kind.
     struct Compare;
 
     impl Task for Compare {
@@ -324,13 +433,22 @@ mod tests {
             let one = |k: usize| -> [f32; 16] { std::array::from_fn(|i| odd[(i * k + i / 8) % 8]) };
             let (a, b) = (one(1), one(3));
             let wide: [f64; 8] = std::array::from_fn(|i| f64::from(odd[i]));
-            vec![
+            let mut out: Vec<u32> = [level.min16(&a, &b), level.max16(&a, &b)]
+                .as_flattened()
+                .iter()
+                .map(|x| x.to_bits())
+                .collect();
+            let plain: [f32; 16] = std::array::from_fn(|i| i as f32);
+            let products = level.multiply_subtract16(3.0, &plain, &[1.0; 16]);
+            out.extend(products.map(f32::to_bits));
+            out.extend([
                 level.le8(&a.as_chunks().0[0], &b.as_chunks().0[0]),
                 level.le16(&a, &b),
                 level.le4(&a.as_chunks().0[0], &b.as_chunks().0[0]),
                 level.positive8(&wide),
                 level.less8(&wide, &std::array::from_fn(|i| wide[7 - i])),
-            ]
+            ]);
+            out
         }
     }
 
@@ -338,7 +456,8 @@ mod tests {
     fn every_instruction_set_compares_alike() {
         let expected = Isa(Set::Portable).run(Compare);
         assert_eq!(
-            expected[3], 0b1010_1011,
+            expected[48 + 3],
+            0b1010_1011,
             "0, -0, 1, infinity and the smallest"
         );
         for isa in Isa::all() {
