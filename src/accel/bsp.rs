@@ -15,10 +15,11 @@
 mod build;
 pub(super) mod classify;
 pub(super) mod sah;
+mod single;
 pub(super) mod traverse;
 
 use super::slack::Slack;
-use super::{AccelKind, AccelStats, NodeView};
+use super::{AccelKind, AccelStats, NodeView, Planes};
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 use crate::probe::NONE;
@@ -49,6 +50,8 @@ pub struct Bsp {
     outside: Vec<u32>,
     slack: Slack,
     depth: u32,
+    /// The same tree for many rays at once, if all planes are along the axes.
+    rounded: Option<Box<Planes>>,
 }
 
 /// A plane with two children, or a leaf.
@@ -74,6 +77,12 @@ impl Bsp {
     /// of them lie on one; all others get planes along the axes. Measured with `cargo bench`: the triangles' planes
     /// are 1.2 to 1.9 times as fast on 36 to 256 triangles, about equal on 1,000 and slower from there on.
     pub fn build(kind: AccelKind, shapes: &[Shape]) -> Self {
+        let mut tree = Self::plan(kind, shapes);
+        tree.rounded = single::rounded(&tree, shapes).map(Box::new);
+        tree
+    }
+
+    fn plan(kind: AccelKind, shapes: &[Shape]) -> Self {
         if kind == AccelKind::BspPolygon {
             return build::build(shapes, true);
         }
@@ -91,6 +100,11 @@ impl Bsp {
     /// The box around all that is in the tree; `None` if the tree is empty.
     pub fn bounds(&self) -> Option<Aabb> {
         (!self.nodes.is_empty()).then_some(self.bounds)
+    }
+
+    /// The tree in single precision, for many rays at once; `None` if it is not followed so.
+    pub(super) fn rounded(&self) -> Option<&Planes> {
+        self.rounded.as_deref()
     }
 
     /// The primitives that are not in the tree and are tested first.
@@ -122,7 +136,8 @@ impl Bsp {
             bytes: size_of_val(&self.nodes[..])
                 + size_of_val(&self.normals[..])
                 + size_of_val(&self.references[..])
-                + size_of_val(&self.outside[..]),
+                + size_of_val(&self.outside[..])
+                + self.rounded.as_ref().map_or(0, |r| r.stats().bytes),
         }
     }
 

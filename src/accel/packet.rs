@@ -51,6 +51,7 @@ impl Accel {
     pub fn gains_from_bundles(&self) -> bool {
         match self {
             Self::Wide(_) | Self::Planes(_) => true,
+            Self::Bsp(bsp) => bsp.rounded().is_some(),
             _ => false,
         }
     }
@@ -68,6 +69,9 @@ impl Accel {
             let together = match self {
                 Self::Wide(wide) => closest(wide, shapes, rays, out),
                 Self::Planes(planes) => closest(planes, shapes, rays, out),
+                Self::Bsp(bsp) => bsp
+                    .rounded()
+                    .is_some_and(|planes| closest(planes, shapes, rays, out)),
                 _ => false,
             };
             if together {
@@ -111,6 +115,9 @@ impl Accel {
             let together = match self {
                 Self::Wide(wide) => any(wide, shapes, rays, out),
                 Self::Planes(planes) => any(planes, shapes, rays, out),
+                Self::Bsp(bsp) => bsp
+                    .rounded()
+                    .is_some_and(|planes| any(planes, shapes, rays, out)),
                 _ => false,
             };
             if together {

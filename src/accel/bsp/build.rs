@@ -67,6 +67,7 @@ pub fn build(shapes: &[Shape], polygons: bool) -> Bsp {
             outside,
             slack: Slack::new(reach, condition),
             depth: 0,
+            rounded: None,
         },
         polygons,
         tolerance: 32.0 * UNIT_ROUNDOFF * reach,

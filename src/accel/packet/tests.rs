@@ -109,13 +109,17 @@ fn every_tree_and_instruction_set_answers_as_the_list_does() {
     let expected: Vec<_> = rays.iter().map(ask).collect();
     // The test means something: many hits, and most groups go together.
     assert!(expected.iter().flatten().count() > rays.len() / 3);
-    for kind in [AccelKind::Wide, AccelKind::Kd] {
+    for kind in [AccelKind::Wide, AccelKind::Kd, AccelKind::BspAxis] {
         let accel = Accel::build(kind, &shapes);
         assert!(accel.gains_from_bundles(), "{kind:?}");
         for isa in Isa::all() {
             let together = match &accel {
                 Accel::Wide(wide) => agreeing((isa, wide), &shapes, &rays, &expected),
                 Accel::Planes(planes) => agreeing((isa, planes), &shapes, &rays, &expected),
+                Accel::Bsp(bsp) => {
+                    let planes = bsp.rounded().expect("along the axes");
+                    agreeing((isa, planes), &shapes, &rays, &expected)
+                }
                 _ => 0,
             };
             assert!(together > 200, "{kind:?}: {together}");
