@@ -1,11 +1,9 @@
 //! A tree of planes for speed: single precision proposes, double precision decides.
 //!
-//! The traversal of the trees that [`super::kd`] builds, of planes along the axes, and [`super::oblique`], at any angle.
-//! Nodes live in the space of [`super::wide`]'s boxes and are asked with its rays: a plane is taken as thick as a box is
-//! grown there, so what lies beyond it is missed by no rounding. A plane along an axis takes one multiplication, one at
-//! any other angle two dot products and a division. Source: Ize, Wald and Parker 2008, "Ray tracing with the BSP
-//! tree" (both kinds in one tree); Wald 2004, "Realtime ray tracing and interactive global illumination", section 7.2
-//! (nodes of eight bytes).
+//! The traversal of the tree that `kd` builds, and that of `bsp` for many rays at once. Nodes live in the space of
+//! [`super::wide`]'s boxes and are asked with its rays: a plane is taken as thick as a box is grown there, so what lies
+//! beyond it is missed by no rounding. Source: Wald 2004, "Realtime ray tracing and interactive global illumination",
+//! section 7.2 (nodes of eight bytes).
 //!
 //! How thick, in units of u = 2^-24 and with r the largest coordinate of the ray's origin: a plane along an axis is a
 //! side of a box of [`super::wide`], and bounds that are rounded to it add 1 to the 7 r + 8 there. For n.p = d at any
