@@ -12,9 +12,9 @@ mod choose;
 
 use super::bsp::classify::{Item, Side, Splitter};
 use super::kd;
+use super::local::Frame;
 use super::planes::{MAX_DEPTH, MAX_REACH, MAX_REFERENCES, Node, Planes, Tilted, Tree};
 use super::sift::sift;
-use super::local::Frame;
 use crate::geometry::{Aabb, Shape, Triangle};
 use cell::Cell;
 use choose::{Choice, choose};
@@ -57,7 +57,7 @@ pub fn build(shapes: &[Shape]) -> Planes {
         builder.grow(task, (8 + 2 * count.ilog2()).min(MAX_DEPTH));
     }
     let corners = [bounds.min, bounds.max].map(|p| p.to_array().map(|x| x as f32));
-    Planes::new(frame, corners, builder.tree, sifted)
+    Planes::new(frame, corners, builder.tree, sifted.outside, shapes)
 }
 
 /// A triangle in the frame's space; `None` for other shapes.
@@ -96,16 +96,13 @@ impl Builder {
         } else {
             None
         };
-        match choice.filter(|choice| choice.cut <= task.spare) {
-            Some(choice) => {
-                let [behind, front] = self.split(task, &choice);
-                self.grow(behind, deepest);
-                self.grow(front, deepest);
-            }
-            None => {
-                let primitives = task.items.iter().map(|item| item.primitive);
-                self.tree.fill(task.place, primitives);
-            }
+        if let Some(choice) = choice.filter(|choice| choice.cut <= task.spare) {
+            let [behind, front] = self.split(task, &choice);
+            self.grow(behind, deepest);
+            self.grow(front, deepest);
+        } else {
+            let primitives = task.items.iter().map(|item| item.primitive);
+            self.tree.fill(task.place, primitives);
         }
     }
 

@@ -50,7 +50,8 @@ impl Accel {
     /// Whether asking for many rays at once is quicker than one by one.
     pub fn gains_from_bundles(&self) -> bool {
         match self {
-            Self::Wide(_) | Self::Planes(_) => true,
+            Self::Wide(_) => true,
+            Self::Planes(planes) => planes.frame().is_some(),
             Self::Bsp(bsp) => bsp.rounded().is_some(),
             _ => false,
         }
@@ -65,21 +66,14 @@ impl Accel {
         rays: &[(Ray, Interval)],
         out: &mut [Option<Hit>],
     ) {
-        for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
-            let together = match self {
-                Self::Wide(wide) => closest(wide, shapes, rays, out),
-                Self::Planes(planes) => closest(planes, shapes, rays, out),
-                Self::Bsp(bsp) => bsp
-                    .rounded()
-                    .is_some_and(|planes| closest(planes, shapes, rays, out)),
-                _ => false,
-            };
-            if together {
-                continue;
-            }
-            for ((ray, interval), out) in rays.iter().zip(out) {
-                *out = self.closest(shapes, ray, *interval, &mut Silent);
-            }
+        match self {
+            Self::Wide(wide) => self.closest_together(wide, shapes, rays, out),
+            Self::Planes(planes) => self.closest_together(planes, shapes, rays, out),
+            Self::Bsp(bsp) => match bsp.rounded() {
+                Some(planes) => self.closest_together(planes, shapes, rays, out),
+                None => self.closest_each(shapes, rays, out),
+            },
+            _ => self.closest_each(shapes, rays, out),
         }
     }
 
@@ -87,6 +81,11 @@ impl Accel {
     pub fn any_many(&self, shapes: &[Shape], rays: &[(Ray, Interval)], out: &mut [bool]) {
         match self {
             Self::Wide(wide) => self.any_together(wide, shapes, rays, out),
+            Self::Planes(planes) => self.any_together(planes, shapes, rays, out),
+            Self::Bsp(bsp) => match bsp.rounded() {
+                Some(planes) => self.any_together(planes, shapes, rays, out),
+                None => self.any_each(shapes, rays, out),
+            },
             _ => self.any_each(shapes, rays, out),
         }
     }
@@ -112,16 +111,9 @@ impl Accel {
     ) {
         let waiting = &mut T::Waiting::default();
         for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
-            let together = match self {
-                Self::Wide(wide) => any(wide, shapes, rays, out),
-                Self::Planes(planes) => any(planes, shapes, rays, out),
-                Self::Bsp(bsp) => bsp
-                    .rounded()
-                    .is_some_and(|planes| any(planes, shapes, rays, out)),
-                _ => false,
-            };
-            if together {
-                continue;
+            let rays = &rays[..rays.len().min(out.len())];
+            if together::<false, T>(tree.isa(), tree, shapes, rays, out, waiting).is_none() {
+                self.closest_each(shapes, rays, out);
             }
         }
     }
@@ -136,7 +128,7 @@ impl Accel {
         let (waiting, best) = (&mut T::Waiting::default(), &mut [None; RAYS]);
         for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
             let rays = &rays[..rays.len().min(out.len())];
-            match together::<true, T>(tree, shapes, rays, best, waiting) {
+            match together::<true, T>(tree.isa(), tree, shapes, rays, best, waiting) {
                 Some(found) => {
                     for (i, out) in out.iter_mut().enumerate() {
                         *out = found >> i & 1 == 1;
@@ -150,36 +142,6 @@ impl Accel {
 
 /// The mask of rays that hit something, if any hit will do; else their hits are in `best`. `None`, and nothing done, if
 /// the rays do not go together.
-#[inline]
-pub fn closest<T: Follow>(
-    tree: &T,
-    shapes: &[Shape],
-    rays: &[(Ray, Interval)],
-    out: &mut [Option<Hit>],
-) -> bool {
-    let best = &mut out[..rays.len().min(RAYS)];
-    together::<false, T>(tree.isa(), tree, shapes, rays, best).is_some()
-}
-
-/// Whether each of at most [`RAYS`] rays hits anything; false, and nothing done, if they do not go together.
-#[inline]
-pub fn any<T: Follow>(
-    tree: &T,
-    shapes: &[Shape],
-    rays: &[(Ray, Interval)],
-    out: &mut [bool],
-) -> bool {
-    let best = &mut [None; RAYS][..rays.len().min(RAYS)];
-    let Some(found) = together::<true, T>(tree.isa(), tree, shapes, rays, best) else {
-        return false;
-    };
-    for (i, out) in out.iter_mut().enumerate().take(rays.len()) {
-        *out = found >> i & 1 == 1;
-    }
-    true
-}
-
-/// The mask of rays that hit something, if any hit will do; else their hits are in `best`.
 #[inline]
 fn together<const ANY: bool, T: Follow>(
     isa: Isa,

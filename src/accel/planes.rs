@@ -175,11 +175,13 @@ impl Planes {
     ) -> Self {
         tree.nodes.shrink_to_fit();
         tree.references.shrink_to_fit();
+        // Rays go together only where all planes are along the axes.
+        let followed = if tree.tilted.is_empty() { shapes } else { &[] };
         Self {
             frame,
             bounds,
             tree,
-            outlines: shapes.iter().map(|s| Outline::of(&frame, s)).collect(),
+            outlines: followed.iter().map(|s| Outline::of(&frame, s)).collect(),
             outside,
             isa: super::simd::Isa::best(),
         }

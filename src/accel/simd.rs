@@ -264,26 +264,6 @@ mod x86 {
             let (a, b) = (a.as_chunks::<4>().0, b.as_chunks::<4>().0);
             Self::less4(self, &a[0], &b[0]) | Self::less4(self, &a[1], &b[1]) << 4
         }
-    }
-
-    // Methods, not closures: a closure is compiled without the instructions first, and then not inlined.
-    impl Avx2 {
-        #[inline(always)]
-        fn positive4(_: Self, a: &[f64; 4]) -> u32 {
-            unsafe {
-                let a = _mm256_loadu_pd(a.as_ptr());
-                let holds = _mm256_cmp_pd::<_CMP_GE_OQ>(a, _mm256_setzero_pd());
-                _mm256_movemask_pd(holds).cast_unsigned()
-            }
-        }
-
-        #[inline(always)]
-        fn less4(_: Self, a: &[f64; 4], b: &[f64; 4]) -> u32 {
-            unsafe {
-                let (a, b) = (_mm256_loadu_pd(a.as_ptr()), _mm256_loadu_pd(b.as_ptr()));
-                _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b)).cast_unsigned()
-            }
-        }
 
         #[inline(always)]
         fn min16(self, a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
@@ -329,6 +309,26 @@ mod x86 {
                 }
             }
             out
+        }
+    }
+
+    // Methods, not closures: a closure is compiled without the instructions first, and then not inlined.
+    impl Avx2 {
+        #[inline(always)]
+        fn positive4(_: Self, a: &[f64; 4]) -> u32 {
+            unsafe {
+                let a = _mm256_loadu_pd(a.as_ptr());
+                let holds = _mm256_cmp_pd::<_CMP_GE_OQ>(a, _mm256_setzero_pd());
+                _mm256_movemask_pd(holds).cast_unsigned()
+            }
+        }
+
+        #[inline(always)]
+        fn less4(_: Self, a: &[f64; 4], b: &[f64; 4]) -> u32 {
+            unsafe {
+                let (a, b) = (_mm256_loadu_pd(a.as_ptr()), _mm256_loadu_pd(b.as_ptr()));
+                _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b)).cast_unsigned()
+            }
         }
     }
 

@@ -40,15 +40,6 @@ impl Corners {
             rows[2][lane] = corner.z;
         }
     }
-    let a = seen(&corners[0], origin, &slope);
-    let b = seen(&corners[1], origin, &slope);
-    let c = seen(&corners[2], origin, &slope);
-    let (u, v, w) = (
-        lanes::edge(&b, &c),
-        lanes::edge(&c, &a),
-        lanes::edge(&a, &b),
-    );
-    let candidates = level.positive8(&lanes::inside(&u, &v, &w));
 
     /// Tests each ray of a half of the packet against its triangle.
     #[inline(always)]
@@ -115,30 +106,7 @@ impl Corners {
                 row(|i| w[i] / area[i]),
             ],
         }
-        out
     }
-}
-
-/// A corner of each triangle in the view of its ray.
-#[inline(always)]
-fn seen(corner: &[Row; 3], origin: &[Row; 3], slope: &[Row; 2]) -> Seen<f64, LANES> {
-    lanes::seen(|k, i| corner[k][i], |k, i| origin[k][i], |k, i| slope[k][i])
-}
-
-/// How large the products in an edge function are.
-#[inline(always)]
-fn products(p: &Seen<f64, LANES>, q: &Seen<f64, LANES>, i: usize) -> f64 {
-    (q[0][i] * p[1][i]).abs() + (q[1][i] * p[0][i]).abs()
-}
-
-/// Where an edge function is not zero.
-#[inline(always)]
-fn crossed<L: Level>(level: L, f: &Row) -> u32 {
-    let mut size = [0.0; LANES];
-    for i in 0..LANES {
-        size[i] = f[i].abs();
-    }
-    level.less8(&[0.0; LANES], &size)
 }
 
 impl Found {

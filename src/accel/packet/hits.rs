@@ -78,8 +78,8 @@ impl<'a> Hits<'a> {
         primitive: u32,
         met: u32,
     ) -> bool {
-        let Rays { axes, origin, .. } = &*rays;
-        let o = [&origin[axes[0]], &origin[axes[1]], &origin[axes[2]]];
+        let [x, y, z] = rays.axes;
+        let o = [&rays.origin[x], &rays.origin[y], &rays.origin[z]];
         let slope = &rays.slope;
         let depth =
             depth_inside::<RAYS>(|c, k, _| corners[k][c], |k, i| o[k][i], |k, i| slope[k][i]);
@@ -115,16 +115,11 @@ impl<'a> Hits<'a> {
             return may != 0;
         }
         // Behind what was put off: the double test of that comes now, unless this one surely hides it.
-        for i in each(may) {
-            let hides = surely >> i & 1 == 1 && farthest[i] < self.nearest[i];
-            if self.pending[i] != NONE && self.pending[i] != primitive && !hides {
+        let hidden = surely & !level.le16(&self.nearest, &farthest);
+        for i in each(may & self.waiting & !hidden) {
+            if self.pending[i] != primitive {
                 self.test::<ANY>(rays, i, self.pending[i]);
             }
-            self.pending[i] = primitive;
-            self.nearest[i] = nearest[i];
-        }
-        for i in each(surely) {
-            rays.max[i] = smaller(rays.max[i], farthest[i]);
         }
         self.waiting |= may;
         set(&mut self.pending, may, &[primitive; RAYS]);
@@ -137,6 +132,9 @@ impl<'a> Hits<'a> {
     #[inline(always)]
     pub fn decide<L: Level>(&mut self, level: L, rays: &mut Rays) {
         for half in 0..RAYS / LANES {
+            if (self.waiting >> (half * LANES)).trailing_zeros() >= LANES as u32 {
+                continue;
+            }
             let mut corners = Corners::NONE;
             let mut open = 0;
             for lane in 0..LANES {
@@ -149,13 +147,6 @@ impl<'a> Hits<'a> {
                     corners.set(lane, triangle);
                 }
             }
-            let Some(first) = self.pair(lanes[0]) else {
-                continue;
-            };
-            let mut pairs = [first; LANES];
-            for i in 1..LANES {
-                pairs[i] = self.pair(lanes[i]).unwrap_or(first);
-            }
             let found = corners.decide(level, rays, half);
             for lane in each(found.hits & open) {
                 let i = half * LANES + lane;
@@ -165,18 +156,10 @@ impl<'a> Hits<'a> {
                     *best = Some(hit);
                 }
             }
-            for at in each(found.rare & open) {
-                self.test::<false>(rays, lanes[at], self.pending[lanes[at]]);
+            for lane in each(found.rare & open) {
+                let i = half * LANES + lane;
+                self.test::<false>(rays, i, self.pending[i]);
             }
-        }
-    }
-
-    /// A ray and the triangle that it has put off.
-    #[inline(always)]
-    fn pair(&self, i: usize) -> Option<Pair<'a>> {
-        match &self.shapes[self.pending[i] as usize] {
-            Shape::Triangle(triangle) => Some((&self.asked[i], triangle)),
-            _ => None,
         }
     }
 }

@@ -75,6 +75,8 @@ impl Rays {
         let center = frame.center.to_array();
         let (mut plain, mut pads) = ([0.0; RAYS], [0.0; RAYS]);
         let mut local = [[0.0; RAYS]; 3];
+        let max = |a: f64, b: f64| if a > b { a } else { b };
+        let min = |a: f64, b: f64| if a < b { a } else { b };
         for i in 0..RAYS {
             for k in 0..3 {
                 local[k][i] = (o[k][i] - center[k]) * frame.scale;
@@ -229,22 +231,6 @@ impl Rays {
         ));
         self.max[lane] = smaller(self.max[lane], end);
     }
-}
-
-#[inline(always)]
-fn max(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
-#[inline(always)]
-fn min(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
-}
-
-/// The largest coordinate of vector i.
-#[inline(always)]
-fn most(v: &[Row<f64>; 3], i: usize) -> f64 {
-    max(max(v[0][i].abs(), v[1][i].abs()), v[2][i].abs())
 }
 
 /// A number that is less than x before it was rounded twice.

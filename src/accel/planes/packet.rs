@@ -11,9 +11,6 @@ use crate::accel::packet::{Follow, Hits, RAYS, Rays, Row};
 use crate::accel::simd::{Isa, Level};
 use crate::probe::NONE;
 
-/// Most trees are no deeper than this; a short stack is soon made.
-const USUAL: usize = 32;
-
 /// The part of each ray inside a cell, as t'. It ends before it starts for rays that do not reach the cell.
 #[derive(Clone, Copy)]
 struct Part {
@@ -38,13 +35,26 @@ impl Pending {
     };
 }
 
+/// Room for the children that wait: each level of the tree leaves at most one behind.
+pub struct Waiting([Pending; MAX_DEPTH as usize]);
+
+impl Default for Waiting {
+    fn default() -> Self {
+        Self([Pending::NONE; MAX_DEPTH as usize])
+    }
+}
+
 /// Which rays were tested against which primitives last: a primitive is often in several leaves next to each other.
 /// Source: Amanatides and Woo 1987 (mailboxes).
 struct Tested([(u32, u32); 8]);
 
 impl Follow for Planes {
+    type Waiting = Waiting;
+
     fn frame(&self) -> Option<&Frame> {
-        (!self.tree.nodes.is_empty()).then_some(&self.frame)
+        // Planes at an angle have no side that is near for all rays.
+        let is_followed = !self.tree.nodes.is_empty() && self.tree.tilted.is_empty();
+        is_followed.then_some(&self.frame)
     }
 
     fn outside(&self) -> &[u32] {
@@ -56,21 +66,24 @@ impl Follow for Planes {
     }
 
     #[inline(always)]
-    fn follow<const ANY: bool, L: Level>(&self, level: L, rays: &mut Rays, hits: &mut Hits) {
-        if self.tree.depth as usize <= USUAL {
-            descend::<USUAL, ANY, L>(self, level, rays, hits);
-        } else {
-            descend::<{ MAX_DEPTH as usize }, ANY, L>(self, level, rays, hits);
-        }
+    fn follow<const ANY: bool, L: Level>(
+        &self,
+        level: L,
+        rays: &mut Rays,
+        hits: &mut Hits,
+        waiting: &mut Waiting,
+    ) {
+        descend::<ANY, L>(self, level, rays, hits, &mut waiting.0);
     }
 }
 
 #[inline(always)]
-fn descend<const DEPTH: usize, const ANY: bool, L: Level>(
+fn descend<const ANY: bool, L: Level>(
     planes: &Planes,
     level: L,
     rays: &mut Rays,
     hits: &mut Hits,
+    stack: &mut [Pending; MAX_DEPTH as usize],
 ) {
     let mut part = Part::of(rays, &planes.bounds);
     // The rays that reach the node at hand.
@@ -78,8 +91,6 @@ fn descend<const DEPTH: usize, const ANY: bool, L: Level>(
     if met == 0 {
         return;
     }
-    // Each level of the tree leaves at most one child behind.
-    let mut stack = [Pending::NONE; DEPTH];
     let mut waiting = 0;
     let mut tested = Tested([(NONE, 0); 8]);
     let mut id = 0;
