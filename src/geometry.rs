@@ -145,7 +145,7 @@ impl Shape {
     /// rounded: so a ray comes out of a closed mesh as often as it goes in.
     pub fn enters(&self, ray: &Ray, shear: &Shear, t: f64) -> Option<bool> {
         match self {
-            Self::Triangle(triangle) => Some(triangle.edges(shear).front),
+            Self::Triangle(triangle) => Some(triangle.is_met_in_front(shear)),
             Self::Sphere(sphere) => enters_solid(sphere.span(ray)?, t),
             Self::Cuboid(cuboid) => enters_solid(cuboid.span(ray)?, t),
             Self::Plane(plane) => Some(plane.normal().dot(ray.direction) < 0.0),

@@ -36,7 +36,7 @@ pub use generated::list as generated;
 pub use load::{list, load};
 pub use sampling::{Adaptive, Pilot, Sampling};
 pub use settings::Settings;
-pub use world::World;
+pub use world::{Room, World};
 
 use crate::geometry::{Arithmetic, Hit, Shape};
 use crate::math::{DVec2, DVec3, Ray, Rgb};

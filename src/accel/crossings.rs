@@ -6,10 +6,9 @@ use crate::math::{Interval, Ray};
 use crate::probe::{Event, Probe};
 
 /// Writes down what is crossed.
-#[derive(Default)]
-struct Crossed(Vec<Hit>);
+struct Crossed<'a>(&'a mut Vec<Hit>);
 
-impl Probe for Crossed {
+impl Probe for Crossed<'_> {
     const TRAVERSAL: bool = false;
     const EVERY: bool = true;
 
@@ -26,21 +25,33 @@ impl Accel {
     /// All crossings of `ray` inside `interval`, by t, and of equal t by primitive id. A solid is crossed twice.
     /// All accelerators say the same, bit for bit.
     pub fn crossings(&self, shapes: &[Shape], ray: &Ray, interval: Interval) -> Vec<Hit> {
-        let mut crossed = Crossed::default();
-        self.closest(shapes, ray, interval, &mut crossed);
-        let Crossed(mut hits) = crossed;
+        let mut hits = Vec::new();
+        self.crossings_into(&mut hits, shapes, ray, interval);
+        hits
+    }
+
+    /// The same in the place of what was in `hits`.
+    pub fn crossings_into(
+        &self,
+        hits: &mut Vec<Hit>,
+        shapes: &[Shape],
+        ray: &Ray,
+        interval: Interval,
+    ) {
+        hits.clear();
+        self.closest(shapes, ray, interval, &mut Crossed(hits));
         let in_order = |a: &Hit, b: &Hit| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive));
         hits.sort_unstable_by(in_order);
         // A tree may refer to a primitive from many leaves.
         hits.dedup();
         let once = hits.len();
         for i in 0..once {
-            hits.extend(second(shapes, ray, &hits[i], interval));
+            let second = second(shapes, ray, &hits[i], interval);
+            hits.extend(second);
         }
         if hits.len() > once {
             hits.sort_unstable_by(in_order);
         }
-        hits
     }
 }
 

@@ -77,8 +77,6 @@ pub struct Edges {
     depths: [f64; 3],
     /// True if the ray passes all three edges on the same side.
     pub inside: bool,
-    /// If it does: true if it comes from where the corners run counter-clockwise. As exact as the sides are.
-    pub front: bool,
 }
 
 impl Triangle {
@@ -99,8 +97,14 @@ impl Triangle {
             functions,
             depths: [a.z, b.z, c.z],
             inside,
-            front: edges[0].1,
         }
+    }
+
+    /// Of a ray that crosses the triangle: true if it comes from where the corners run counter-clockwise. The side of any one
+    /// edge tells, as exactly as it is known.
+    pub fn is_met_in_front(&self, shear: &Shear) -> bool {
+        let [_, b, c] = self.corners;
+        edge(shear.view(b), shear.view(c)).1
     }
 
     /// The crossing inside the interval. A triangle seen edge-on, or without area, is missed.
@@ -110,7 +114,6 @@ impl Triangle {
             functions: [u, v, w],
             depths,
             inside,
-            ..
         } = self.edges(shear);
         let area = u + v + w;
         if !inside || area == 0.0 {

@@ -25,6 +25,13 @@ pub struct World {
     pub around_eye: Entered,
 }
 
+/// Room for crossings that is used again and again.
+#[derive(Debug, Default)]
+pub struct Room {
+    hits: Vec<Hit>,
+    crossings: Vec<Crossing>,
+}
+
 impl World {
     /// Builds the acceleration structure.
     pub fn new(scene: Scene, kind: AccelKind) -> Self {
@@ -91,38 +98,45 @@ impl World {
 
     /// Every surface that a ray crosses inside an interval, by t.
     pub fn crossings(&self, ray: &Ray, interval: Interval) -> Vec<Crossing> {
-        let hits = self.accel.crossings(&self.scene.shapes, ray, interval);
-        self.described(ray, hits)
+        let mut room = Room::default();
+        let shapes = &self.scene.shapes;
+        let hits = &mut room.hits;
+        self.accel.crossings_into(hits, shapes, ray, interval);
+        self.describe(ray, &mut room);
+        room.crossings
     }
 
     /// What a ray crosses from its closest `hit` on, as far as that object's media depend on it.
-    pub fn crossings_from(&self, ray: &Ray, hit: &Hit) -> Vec<Crossing> {
+    pub fn crossings_from<'r>(&self, ray: &Ray, hit: &Hit, room: &'r mut Room) -> &'r [Crossing] {
         let interval = Interval::new(hit.t.next_down(), f64::INFINITY);
+        let (shapes, hits) = (&self.scene.shapes, &mut room.hits);
         if self.company(hit.primitive) == Company::Alone {
-            let second = second(&self.scene.shapes, ray, hit, interval);
-            self.described(ray, [*hit].into_iter().chain(second))
+            hits.clear();
+            hits.push(*hit);
+            hits.extend(second(shapes, ray, hit, interval));
         } else {
-            self.crossings(ray, interval)
+            self.accel.crossings_into(hits, shapes, ray, interval);
         }
+        self.describe(ray, room);
+        &room.crossings
     }
 
-    fn described(&self, ray: &Ray, hits: impl IntoIterator<Item = Hit>) -> Vec<Crossing> {
+    /// What objects are crossed where, and whether the ray goes in or comes out.
+    fn describe(&self, ray: &Ray, room: &mut Room) {
         let scene = &self.scene;
         let shear = Shear::new(ray);
-        let enters = |hit: &Hit| {
+        room.crossings.clear();
+        room.crossings.extend(room.hits.iter().map(|hit| {
             let shape = &scene.shapes[hit.primitive as usize];
             let is_medium = scene.material_of(hit.primitive).is_transmissive();
-            is_medium
-                .then(|| shape.enters(ray, &shear, hit.t))
-                .flatten()
-        };
-        hits.into_iter()
-            .map(|hit| Crossing {
-                hit,
+            Crossing {
+                hit: *hit,
                 object: scene.owners[hit.primitive as usize],
-                enters: enters(&hit),
-            })
-            .collect()
+                enters: is_medium
+                    .then(|| shape.enters(ray, &shear, hit.t))
+                    .flatten(),
+            }
+        }));
     }
 
     /// The medium before `ahead`, the crossings that a ray is going to meet: an object, or [`NONE`] for air.

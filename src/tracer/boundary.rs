@@ -7,7 +7,7 @@ use std::cmp::Reverse;
 
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
-use crate::scene::World;
+use crate::scene::{Room, World};
 use crate::shading::Interaction;
 use crate::shading::medium::{Crossing, Entered};
 
@@ -37,9 +37,15 @@ pub struct Change {
 
 impl Boundary {
     /// What `ray`, which is inside the open objects `entered`, crosses at its closest `hit`, the place `at`.
-    pub fn new(world: &World, entered: Entered, ray: &Ray, hit: &Hit, at: &Interaction) -> Self {
-        let ahead = world.crossings_from(ray, hit);
-        let (crossed, beyond) = ahead.split_at(together(world, ray, &ahead, hit, at));
+    pub fn new(
+        world: &World,
+        entered: Entered,
+        ray: &Ray,
+        (hit, at): (&Hit, &Interaction),
+        room: &mut Room,
+    ) -> Self {
+        let ahead = world.crossings_from(ray, hit, room);
+        let (crossed, beyond) = ahead.split_at(together(world, ray, ahead, hit, at));
         let after = crossed
             .iter()
             .fold(entered, |inside, crossing| match crossing.enters {
@@ -53,7 +59,7 @@ impl Boundary {
             hit: *hit,
             at: *at,
             change: Change {
-                media: [world.medium(&entered, &ahead), world.medium(&after, beyond)],
+                media: [world.medium(&entered, ahead), world.medium(&after, beyond)],
                 entered: after,
             },
             end: crossed.last().map_or(hit.t, |last| last.hit.t),

@@ -3,15 +3,18 @@
 //! radiance = emission + Ka Ia + sum over lights (Kd (N.L) + Ks (R.V)^n) I + Wr radiance(R) + Wt radiance(T)
 
 mod arrive;
+mod split;
 
 use super::boundary::Change;
 use super::foresight::Foreseen;
 use super::lights::{self, Asker, Bundle, Question};
+use crate::geometry::Hit;
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
-use crate::scene::{Effect, Settings, World};
+use crate::scene::{Company, Effect, Room, Settings, World};
 use crate::shading::{Entered, Interaction, Material, Projected, optics, phong};
 use arrive::Arrival;
+use split::Split;
 
 /// Rays nest at most this deep, whatever depth was asked for: recursion has to end before the stack does.
 pub const MAX_DEPTH: u32 = 1000;
@@ -26,6 +29,7 @@ pub struct Tracer<'a, P> {
     /// True if a ray was left out only because of [`MAX_DEPTH`] or the ray budget: the picture is not what was asked.
     pub cut: bool,
     bundle: Bundle,
+    room: Room,
 }
 
 /// A ray on its way, and what it knows of the path behind it.
@@ -50,16 +54,6 @@ struct Path<'f> {
 /// A place, its material, and how it sees the light in question.
 type Surface<'s> = (&'s Interaction, &'s Material, Option<&'s Projected>);
 
-/// What a surface does with a ray that arrived: the two directions and their shares.
-struct Split {
-    reflected: Rgb,
-    transmitted: Rgb,
-    /// The refracted direction, or the negative k of total internal reflection.
-    refracted: Result<DVec3, f64>,
-    /// The open objects that a ray is inside of that went through.
-    beyond: Entered,
-}
-
 impl<'a, P: Probe> Tracer<'a, P> {
     /// A tracer that has sent no ray yet.
     pub fn new(world: &'a World, settings: &'a Settings, probe: &'a mut P) -> Self {
@@ -70,6 +64,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             rays: 0,
             cut: false,
             bundle: Bundle::default(),
+            room: Room::default(),
         }
     }
 
@@ -96,21 +91,35 @@ impl<'a, P: Probe> Tracer<'a, P> {
         })
     }
 
-    /// The radiance that comes back along a ray: the shading equation, term by term.
+    /// The radiance that comes back along a ray.
     fn radiance(&mut self, path: &mut Path) -> Rgb {
         self.send(path);
-        let mut sum = Rgb::BLACK;
-        let Some(Arrival { hit, at, change }) = self.arrive(path) else {
-            self.probe.event(Event::Miss);
-            self.add(
-                &mut sum,
-                Term::Background,
-                (NONE, 0),
-                self.world.scene.background,
-            );
-            return self.done(sum);
+        let Some(hit) = self.first(path) else {
+            return self.background();
         };
-        self.probe.event(Event::Hit(hit));
+        let at = self.world.scene.interaction(&path.ray, &hit);
+        if self.world.company(hit.primitive) == Company::Away {
+            return self.shade(path, &hit, &at, None);
+        }
+        match self.arrive(path, hit, at) {
+            Some(Arrival { hit, at, change }) => self.shade(path, &hit, &at, change.as_ref()),
+            None => self.background(),
+        }
+    }
+
+    /// What a ray brings back that leaves the scene.
+    fn background(&mut self) -> Rgb {
+        let mut sum = Rgb::BLACK;
+        self.probe.event(Event::Miss);
+        let background = self.world.scene.background;
+        self.add(&mut sum, Term::Background, (NONE, 0), background);
+        self.done(sum)
+    }
+
+    /// The radiance of a place on a surface: the shading equation, term by term.
+    fn shade(&mut self, path: &Path, hit: &Hit, at: &Interaction, change: Option<&Change>) -> Rgb {
+        let mut sum = Rgb::BLACK;
+        self.probe.event(Event::Hit(*hit));
         let scene = &self.world.scene;
         let material = scene.material_of(hit.primitive);
 
@@ -124,12 +133,12 @@ impl<'a, P: Probe> Tracer<'a, P> {
         }
         // What each light adds, unless something stands in its way.
         for light in 0..scene.lights.len() as u32 {
-            self.light(&mut sum, path, &at, material, light);
+            self.light(&mut sum, path, at, material, light);
         }
         // What comes from the mirrored and from the refracted direction.
-        let split = self.split(path, &at, material, change);
-        self.reflect(&mut sum, path, &at, &split);
-        self.transmit(&mut sum, path, &at, &split);
+        let split = self.split(path, at, material, change);
+        self.reflect(&mut sum, path, at, &split);
+        self.transmit(&mut sum, path, at, &split);
         self.done(sum)
     }
 
@@ -255,44 +264,6 @@ impl<'a, P: Probe> Tracer<'a, P> {
             let r_dot_v = r.dot(at.to_viewer);
             let specular = phong::specular(m.specular, lit.intensity, r_dot_v, m.shininess);
             self.add(sum, Term::Specular, light, specular);
-        }
-    }
-
-    /// How the surface shares light between reflection and transmission.
-    ///
-    /// A transparent surface reflects the share F of what it would let through (Fresnel): Wr = Kr + F Kt,
-    /// Wt = (1 - F) Kt. Under total internal reflection F is 1, in every model.
-    fn split(
-        &mut self,
-        path: &Path,
-        at: &Interaction,
-        m: &Material,
-        change: Option<Change>,
-    ) -> Split {
-        let Some(Change { media, entered }) = change else {
-            return Split {
-                reflected: m.mirror,
-                transmitted: Rgb::BLACK,
-                refracted: Err(0.0),
-                beyond: path.entered,
-            };
-        };
-        let [n1, n2] = media.map(|medium| self.world.scene.medium_ior(medium));
-        let refracted = optics::refract(-at.to_viewer, at.normal, n1, n2);
-        let share = refracted.map_or(1.0, |t| {
-            let (cos_i, cos_t) = (at.normal.dot(at.to_viewer), -at.normal.dot(t));
-            self.settings.fresnel.reflectance(cos_i, cos_t, n1, n2)
-        });
-        self.probe.event(Event::Boundary {
-            n1,
-            n2,
-            reflectance: share,
-        });
-        Split {
-            reflected: m.mirror + m.transmission * share,
-            transmitted: m.transmission * (1.0 - share),
-            refracted,
-            beyond: entered,
         }
     }
 

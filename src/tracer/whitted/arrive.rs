@@ -17,48 +17,46 @@ pub struct Arrival {
 }
 
 impl<P: Probe> Tracer<'_, P> {
-    /// The first surface that counts. Those that change no medium are passed, and the path knows of it; each costs as much
-    /// as a ray and counts as one.
+    /// The closest hit, which may have been foreseen.
     #[inline]
-    pub(super) fn arrive(&mut self, path: &mut Path) -> Option<Arrival> {
-        let hit = match path.foreseen {
+    pub(super) fn first(&mut self, path: &Path) -> Option<Hit> {
+        match path.foreseen {
             Some(foreseen) => foreseen.hit,
             None => self.world.closest(&path.ray, 0.0, self.probe),
-        }?;
-        let mut arrival = self.at(path, hit);
-        if self.world.company(hit.primitive) == Company::Away {
-            return Some(arrival);
         }
-        while let Some(end) = self.cross(path, &mut arrival) {
-            let hit = self.world.closest(&path.ray, end, self.probe)?;
-            arrival = self.at(path, hit);
+    }
+
+    /// From the closest hit on, the first surface that counts. Those that change no medium are passed, and the path knows of
+    /// it; each costs as much as a ray and counts as one.
+    #[inline(never)]
+    pub(super) fn arrive(&mut self, path: &mut Path, hit: Hit, at: Interaction) -> Option<Arrival> {
+        let change = None;
+        let mut arrival = Arrival { hit, at, change };
+        while let Some(end) = self.pass(path, &mut arrival) {
+            arrival.hit = self.world.closest(&path.ray, end, self.probe)?;
+            arrival.at = self.world.scene.interaction(&path.ray, &arrival.hit);
         }
         Some(arrival)
     }
 
-    fn at(&self, path: &Path, hit: Hit) -> Arrival {
-        Arrival {
-            hit,
-            at: self.world.scene.interaction(&path.ray, &hit),
-            change: None,
-        }
-    }
-
     /// What changes at the closest surface and at all that touch it. If it is nothing, they are passed: the t of the last.
-    #[inline(never)]
-    fn cross(&mut self, path: &mut Path, arrival: &mut Arrival) -> Option<f64> {
-        if self.world.company(arrival.hit.primitive) == Company::Away {
+    fn pass(&mut self, path: &mut Path, arrival: &mut Arrival) -> Option<f64> {
+        let Arrival { hit, at, .. } = &*arrival;
+        if self.world.company(hit.primitive) == Company::Away {
             return None;
         }
-        let Arrival { hit, at, .. } = arrival;
-        let crossed = Boundary::new(self.world, path.entered, &path.ray, hit, at);
+        let (world, room) = (self.world, &mut self.room);
+        let crossed = Boundary::new(world, path.entered, &path.ray, (hit, at), room);
         if crossed.many {
             // What was foreseen was for one surface.
             path.foreseen = None;
             (arrival.hit, arrival.at) = (crossed.hit, crossed.at);
         }
-        let material = self.world.scene.material_of(arrival.hit.primitive);
-        if !material.is_transmissive() {
+        if !world
+            .scene
+            .material_of(arrival.hit.primitive)
+            .is_transmissive()
+        {
             return None;
         }
         let [medium, behind] = crossed.change.media;
