@@ -1,7 +1,7 @@
 //! One picture: the same bits for any number of threads, any accelerator, with and without listening.
 
 use raytree::accel::AccelKind;
-use raytree::math::{Filter, Rgb, Sampler};
+use raytree::math::{Filter, LightSampling, Rgb, Sampler};
 use raytree::probe::Silent;
 use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings, World};
 use raytree::trace::{Counts, ledger, trace_pixel};
@@ -167,6 +167,26 @@ fn samples_by_chance_change_with_the_seed() {
             ..settings
         };
         assert_ne!(film(&world, &settings, 2), film(&world, &other, 2));
+    }
+}
+
+#[test]
+fn one_ray_to_an_area_light_is_the_same_when_it_is_foreseen() {
+    for light_sampling in LightSampling::ALL {
+        let settings = Settings {
+            samples: 4,
+            light_samples: 1,
+            sampling: Sampling::Jittered,
+            light_sampling,
+            ..settings_of("soft-shadow", 40, 30)
+        };
+        let scene = scene::load("soft-shadow").expect("built in");
+        let [wide, list] =
+            [AccelKind::Wide, AccelKind::List].map(|kind| World::new(scene.clone(), kind));
+        let foreseen = film(&wide, &settings, 2);
+        let asked = film(&list, &settings, 2);
+        assert_eq!(bits(&foreseen.pixels), bits(&asked.pixels));
+        assert_eq!(foreseen.rays, asked.rays);
     }
 }
 

@@ -5,7 +5,7 @@
 //! function that it is: it asks a foreseen question like any other, and the answer is the same to the last bit.
 
 use super::film::Tile;
-use super::lights::{Question, question};
+use super::lights::{Question, question, samples, seen};
 use super::samples::{Place, place};
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
@@ -61,29 +61,27 @@ impl Foresight {
         self.blocked.clear();
         self.blocked.resize(self.rays.len() * self.lights, None);
         for light in 0..self.lights {
-            let is_area = world.scene.lights[light].source.is_area();
-            if !is_area && settings.effects.has(Effect::Shadows) {
+            let one_ray = samples(&world.scene, settings, light as u32) == 1;
+            if one_ray && settings.effects.has(Effect::Shadows) {
                 self.ask_light(world, settings, light);
             }
         }
     }
 
-    /// Asks whether each hit sees one light without an area. (An area's many shadow rays make a bundle at each hit.)
+    /// Asks whether each hit sees a light to which one ray is sent. (Many rays to an area make a bundle at each hit.)
     fn ask_light(&mut self, world: &World, settings: &Settings, light: usize) {
         let scene = &world.scene;
+        let number = light as u32;
         let (mut places, mut rays) = (Vec::new(), Vec::new());
         for (place, ((ray, _), hit)) in self.rays.iter().zip(&self.hits).enumerate() {
             let Some(hit) = hit else { continue };
             let at = scene.interaction(ray, hit);
             let material = scene.material_of(hit.primitive);
             let asker = self.places[place].asker;
-            if let Ok(Question { ray, lit, .. }) = question(
-                scene,
-                settings,
-                asker,
-                (&at, material, None),
-                (light as u32, 0),
-            ) {
+            let projected = seen(scene, settings, (&at, material), number);
+            let surface = (&at, material, projected.as_ref());
+            let asked = question(scene, settings, asker, surface, (number, 0));
+            if let Ok(Question { ray, lit, .. }) = asked {
                 places.push(place);
                 rays.push((ray, Interval::before(lit.distance)));
             }
