@@ -1,15 +1,22 @@
 //! A white floor below one lamp, and what it is lit by.
 
+#![allow(dead_code)] // Not every test that includes this file needs all of it.
+
 use std::f64::consts::PI;
 
 use raytree::accel::AccelKind;
 use raytree::math::{DVec3, LightSampling, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Scene, SceneError, Settings, World};
 use raytree::tracer::pixel;
 
 /// A floor y = 0 with Kd = 1, seen at (x, 0, z) from below the lights, and these lights and other objects.
 pub fn floor(at: [f64; 2], lights: &str, objects: &str) -> World {
+    World::new(load(at, lights, objects).expect("a scene"), AccelKind::List)
+}
+
+/// Its scene, if it is one.
+pub fn load(at: [f64; 2], lights: &str, objects: &str) -> Result<Scene, SceneError> {
     let [x, z] = at;
     let text = format!(
         r#"{{
@@ -28,14 +35,12 @@ pub fn floor(at: [f64; 2], lights: &str, objects: &str) -> World {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("test.json");
     std::fs::write(&path, text).expect("room on the disk");
-    let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
-    World::new(scene, AccelKind::List)
+    scene::load(path.to_str().expect("a plain path"))
 }
 
 pub const LAMP: &str = r#"{"area": {"name": "lamp", "object": "lamp"}}"#;
 pub const SQUARE: &str = r#"{"quad": {"name": "lamp", "material": "lamp", "corner": [-1, 2, -1], "u": [2, 0, 0], "v": [0, 0, 2]}}"#;
 /// The half-plane x < 0 at height 1, as far as anybody here sees.
-#[allow(dead_code)] // Not every test that includes this file has an edge.
 pub const EDGE: &str = r#"{"quad": {"name": "edge", "material": "black", "corner": [-50, 1, -50], "u": [50, 0, 0], "v": [0, 0, 100]}}"#;
 
 /// How a light is sampled.
