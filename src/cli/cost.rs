@@ -16,6 +16,7 @@ use super::settings::SceneArgs;
 use super::{Done, Failure, output};
 use crate::accel::fastest;
 use crate::lab::{Effort, Knob, Lab, Price, Sweep, affordable, knobs, plot};
+use crate::scene::limits::MAX_SECONDS;
 use crate::scene::{Sampling, Settings, World, flags};
 
 /// The size of the pictures if none is asked for: small, since many are rendered.
@@ -239,7 +240,9 @@ fn progress_bar(steps: usize) -> ProgressBar {
 
 fn parse_budget(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(x) if x > 0.0 && x <= 1e6 => Ok(x),
-        _ => Err("must be a number of seconds above 0".to_owned()),
+        Ok(x) if x > 0.0 && x <= MAX_SECONDS => Ok(x),
+        _ => Err(format!(
+            "must be a number of seconds above 0, {MAX_SECONDS:e} at most"
+        )),
     }
 }

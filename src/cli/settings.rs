@@ -259,7 +259,10 @@ fn parse_not_negative(text: &str) -> Result<f64, String> {
 
 fn parse_threads(text: &str) -> Result<usize, String> {
     match text.parse::<usize>() {
-        Ok(n) if n <= 1024 => Ok(n),
-        _ => Err("must be a whole number from 0 to 1024".to_owned()),
+        Ok(n) if n <= limits::MAX_THREADS => Ok(n),
+        _ => Err(format!(
+            "must be a whole number from 0 to {}",
+            limits::MAX_THREADS
+        )),
     }
 }

@@ -1,5 +1,5 @@
-//! How large a scene may be. Scene files come from anywhere, also from people who mean no good: every size is
-//! bounded before memory or time is spent on it.
+//! How large a scene, a picture and a recording may be. Scene files come from anywhere, also from people who mean no
+//! good: every size is bounded before memory or time is spent on it. The book shows these limits as a table.
 
 /// Bytes of one file.
 pub const MAX_FILE_BYTES: u64 = 256 << 20;
@@ -11,6 +11,8 @@ pub const MAX_PRIMITIVES: usize = 2_000_000;
 pub const MAX_LIGHTS: usize = 1000;
 /// Groups inside groups.
 pub const MAX_GROUP_DEPTH: usize = 32;
+/// Brackets inside brackets of a JSON file: the limit of its parser, which recurses.
+pub const MAX_NESTING: usize = 127;
 /// Bytes of a name.
 pub const MAX_NAME_BYTES: usize = 200;
 /// Corners of one polygon of an OBJ file: cutting it into triangles takes time that grows with their square.
@@ -35,6 +37,122 @@ pub const MAX_RADIANCE: f64 = 1e12;
 pub const IOR: [f64; 2] = [0.01, 100.0];
 /// The largest exponent of a highlight or a spot light.
 pub const MAX_EXPONENT: f64 = 1e9;
+
+/// Rays nest at most this deep, whatever depth was asked for: recursion has to end before the stack does.
+pub const MAX_DEPTH: u32 = 1000;
+/// Rays that a picture may cost if nobody asks for another number.
+pub const DEFAULT_MAX_RAYS: u64 = 1_000_000_000;
+/// Surfaces that the search for the medium around the eye crosses.
+pub const MAX_CROSSINGS: usize = 256;
+/// Events that a recording keeps.
+pub const MAX_EVENTS: usize = 10_000_000;
+/// Bytes that a recording takes.
+pub const MAX_EVENT_BYTES: usize = 512 << 20;
+/// Nodes that a diagram shows.
+pub const MAX_DIAGRAM_NODES: usize = 2000;
+/// Threads.
+pub const MAX_THREADS: usize = 1024;
+/// Seconds that measuring may be given.
+pub const MAX_SECONDS: f64 = 1e6;
+
+/// The limits as the book tells them: what is limited, to how much, and what happens beyond.
+pub fn table() -> Vec<[String; 3]> {
+    const REFUSED: &str = "refused";
+    let mebibytes = |bytes: u64| format!("{} MiB", bytes >> 20);
+    let up_to = |x: f64, unit: &str| format!("{x:e}{unit}");
+    let rows: [(&str, String, &str); 24] = [
+        ("one file", mebibytes(MAX_FILE_BYTES), REFUSED),
+        (
+            "all files of a scene, each as often as it is named",
+            mebibytes(MAX_SCENE_BYTES),
+            REFUSED,
+        ),
+        (
+            "brackets inside brackets of a scene file",
+            MAX_NESTING.to_string(),
+            REFUSED,
+        ),
+        ("groups inside groups", MAX_GROUP_DEPTH.to_string(), REFUSED),
+        (
+            "a name, with those of its groups",
+            format!("{MAX_NAME_BYTES} bytes"),
+            REFUSED,
+        ),
+        (
+            "triangles and other shapes",
+            MAX_PRIMITIVES.to_string(),
+            REFUSED,
+        ),
+        (
+            "corners of a face in an OBJ file",
+            MAX_CORNERS.to_string(),
+            REFUSED,
+        ),
+        ("lights", MAX_LIGHTS.to_string(), REFUSED),
+        (
+            "coordinates, and radii",
+            up_to(MAX_COORDINATE, " m"),
+            REFUSED,
+        ),
+        ("a channel of a colour", up_to(MAX_RADIANCE, ""), REFUSED),
+        (
+            "an index of refraction",
+            format!("{} to {}", IOR[0], IOR[1]),
+            REFUSED,
+        ),
+        (
+            "an exponent of a highlight or a cone",
+            up_to(MAX_EXPONENT, ""),
+            REFUSED,
+        ),
+        ("pixels along an edge", MAX_EDGE.to_string(), REFUSED),
+        ("pixels of a picture", MAX_PIXELS.to_string(), REFUSED),
+        ("samples a pixel", MAX_SAMPLES.to_string(), REFUSED),
+        (
+            "shadow rays to an area light, a hit",
+            MAX_LIGHT_SAMPLES.to_string(),
+            REFUSED,
+        ),
+        ("`--threads`", MAX_THREADS.to_string(), REFUSED),
+        (
+            "`--budget` of `raytree cost`",
+            up_to(MAX_SECONDS, " s"),
+            REFUSED,
+        ),
+        (
+            "rays of a picture",
+            format!("{DEFAULT_MAX_RAYS}, or `--max-rays`"),
+            "each pixel has its even share; what is beyond is left out, and the exit status is 3",
+        ),
+        (
+            "bounces, whatever `--depth` says",
+            MAX_DEPTH.to_string(),
+            "the ray is left out, and the exit status is 3",
+        ),
+        (
+            "surfaces between the eye and the open air",
+            MAX_CROSSINGS.to_string(),
+            "the media beyond are not looked for",
+        ),
+        (
+            "events of a recorded pixel",
+            format!("{MAX_EVENTS}, or {}", mebibytes(MAX_EVENT_BYTES as u64)),
+            "the tree is told as cut, and the exit status is 3",
+        ),
+        (
+            "nodes of a diagram",
+            MAX_DIAGRAM_NODES.to_string(),
+            "the others are counted",
+        ),
+        (
+            "warnings of a scene",
+            MAX_WARNINGS.to_string(),
+            "the others are counted",
+        ),
+    ];
+    rows.map(|(what, most, beyond)| [what.to_string(), most, beyond.to_string()])
+        .to_vec()
+}
 
 /// Why a picture of `width` x `height` pixels cannot be made; `None` if it can.
 pub fn size_problem(width: u32, height: u32) -> Option<String> {

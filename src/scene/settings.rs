@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::effects::{Effect, Effects, effects};
+use super::limits::DEFAULT_MAX_RAYS;
 use super::sampling::{Adaptive, Pilot, Sampling};
 use crate::accel::AccelKind;
 use crate::geometry::Arithmetic;
@@ -78,7 +79,7 @@ impl Default for Settings {
             exposure: 1.0,
             accel: AccelKind::default(),
             arithmetic: Arithmetic::default(),
-            max_rays: 1_000_000_000,
+            max_rays: DEFAULT_MAX_RAYS,
         }
     }
 }
@@ -117,6 +118,23 @@ impl Settings {
     /// Width and height.
     pub fn size(&self) -> (u32, u32) {
         (self.width, self.height)
+    }
+
+    /// Samples that a pixel has at most. After a pilot at least one counts.
+    pub fn most_samples(&self) -> u32 {
+        let adapted = self.adaptive.map(|a| a.most.max(self.pilot() + 1));
+        adapted.unwrap_or(self.samples)
+    }
+
+    /// The same within its budget: it gets no more than that has eye rays for.
+    pub fn samples_afforded(&self) -> u32 {
+        let most = u32::try_from(self.rays_per_pixel()).unwrap_or(u32::MAX);
+        self.most_samples().min(most)
+    }
+
+    /// How many rays one pixel may send besides its eye rays.
+    pub fn further_rays_per_pixel(&self) -> u64 {
+        self.rays_per_pixel() - u64::from(self.samples_afforded())
     }
 
     /// How many rays one pixel may send. The same for each, whatever the others need: so that a pixel traced alone is

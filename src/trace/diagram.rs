@@ -7,8 +7,7 @@ use super::explain::num;
 use super::tree::Outcome;
 use crate::probe::{Event, RayKind};
 
-/// Rays that a diagram shows at most: more cannot be read.
-pub const MAX_NODES: usize = 2000;
+pub use crate::scene::limits::MAX_DIAGRAM_NODES as MAX_NODES;
 
 /// A ray as a box of the diagram.
 struct Figure {

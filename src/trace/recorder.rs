@@ -2,11 +2,7 @@
 
 use crate::probe::{Event, Probe};
 
-/// Events that a log holds at most.
-pub const MAX_EVENTS: usize = 10_000_000;
-
-/// Bytes that a log takes at most.
-pub const MAX_BYTES: usize = 512 << 20;
+pub use crate::scene::limits::{MAX_EVENT_BYTES, MAX_EVENTS};
 
 /// A flat log of events, bounded: what comes after its limit is counted, not kept.
 #[derive(Clone, Debug)]
@@ -24,7 +20,9 @@ impl<const TRAVERSAL: bool> Recorder<TRAVERSAL> {
         Self {
             events: Vec::new(),
             dropped: 0,
-            limit: limit.min(MAX_EVENTS).min(MAX_BYTES / size_of::<Event>()),
+            limit: limit
+                .min(MAX_EVENTS)
+                .min(MAX_EVENT_BYTES / size_of::<Event>()),
         }
     }
 }

@@ -15,6 +15,8 @@ pub struct Pixel {
     pub color: Rgb,
     /// Rays that it cost.
     pub rays: u64,
+    /// What it spent of its budget besides eye rays: rays, and questions to lights that needed none.
+    pub spent: u64,
     /// True if a limit cut it short, so that its colour is not all that was asked for.
     pub cut: bool,
     /// Samples that it has.
@@ -56,6 +58,7 @@ impl Default for Pixel {
         Self {
             color: Rgb::BLACK,
             rays: 0,
+            spent: 0,
             cut: false,
             samples: 0,
             error: f64::INFINITY,
@@ -68,17 +71,21 @@ impl Default for Pixel {
 impl Sampled {
     /// A pixel without samples.
     pub fn new(settings: &Settings, at: (u32, u32)) -> Self {
-        let known = settings.adaptive.is_none().then_some(settings.samples);
-        Self::with(settings, at, known)
+        let known = settings.adaptive.is_none();
+        Self::with(settings, at, known.then_some(settings.samples_afforded()))
     }
 
     /// The same, where the number of samples may be known before.
     fn with(settings: &Settings, at: (u32, u32), known: Option<u32>) -> Self {
         let wanted = known.is_none() || settings.errors;
+        let afforded = settings.samples_afforded();
         Self {
             at,
-            pixel: Pixel::default(),
-            target: known.unwrap_or(settings.samples),
+            pixel: Pixel {
+                cut: afforded < settings.most_samples(),
+                ..Pixel::default()
+            },
+            target: known.unwrap_or(settings.samples.min(afforded)),
             weights: known.map(|count| Weights::new(settings, at, count)),
             kept: Vec::new(),
             spread: wanted.then(|| Box::new(new_spread(settings))),
@@ -114,9 +121,7 @@ impl Sampled {
             }
             _ => 0,
         };
-        // After a pilot at least one sample counts.
-        let most = adaptive.most.max(settings.pilot() + 1);
-        self.target = taken.saturating_add(more).min(most);
+        self.target = taken.saturating_add(more).min(settings.samples_afforded());
         self.target > taken
     }
 
@@ -130,9 +135,9 @@ impl Sampled {
         foreseen: Option<Foreseen>,
         probe: &mut P,
     ) {
-        let mut tracer = Tracer::new(world, settings, probe).continuing(self.pixel.rays);
+        let mut tracer = Tracer::new(world, settings, probe).continuing(self.pixel.rays, self.pixel.spent);
         let brought = tracer.eye(place.asker, ray, foreseen);
-        self.pixel.rays = tracer.rays;
+        (self.pixel.rays, self.pixel.spent) = (tracer.rays, tracer.spent);
         self.pixel.cut |= tracer.cut;
         let index = self.pixel.samples;
         self.pixel.samples += 1;

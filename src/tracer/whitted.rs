@@ -16,8 +16,7 @@ use crate::shading::{Entered, Interaction, Material, Projected, optics, phong};
 use arrive::Arrival;
 use split::Split;
 
-/// Rays nest at most this deep, whatever depth was asked for: recursion has to end before the stack does.
-pub const MAX_DEPTH: u32 = 1000;
+pub use crate::scene::limits::MAX_DEPTH;
 
 /// Follows rays and tells a probe about it.
 pub struct Tracer<'a, P> {
@@ -26,6 +25,9 @@ pub struct Tracer<'a, P> {
     probe: &'a mut P,
     /// Rays sent so far.
     pub rays: u64,
+    /// What counts against the budget for all but eye rays: rays, and questions to lights that needed none, since those
+    /// cost time, too.
+    pub spent: u64,
     /// True if a ray was left out only because of [`MAX_DEPTH`] or the ray budget: the picture is not what was asked.
     pub cut: bool,
     bundle: Bundle,
@@ -62,16 +64,17 @@ impl<'a, P: Probe> Tracer<'a, P> {
             settings,
             probe,
             rays: 0,
+            spent: 0,
             cut: false,
             bundle: Bundle::default(),
             room: Room::default(),
         }
     }
 
-    /// A tracer that already sent `rays` rays for this pixel.
+    /// A tracer that already sent `rays` rays for this pixel, and spent so much of its budget.
     #[must_use]
-    pub fn continuing(mut self, rays: u64) -> Self {
-        self.rays = rays;
+    pub fn continuing(mut self, rays: u64, spent: u64) -> Self {
+        (self.rays, self.spent) = (rays, spent);
         self
     }
 
@@ -156,6 +159,9 @@ impl<'a, P: Probe> Tracer<'a, P> {
             self.probe.event(Event::Bundle { light, samples });
         }
         for sample in 0..count {
+            if self.no_more_light(light) {
+                break;
+            }
             let Some(question) = self.question(path, surface, (light, sample)) else {
                 continue;
             };
@@ -177,6 +183,9 @@ impl<'a, P: Probe> Tracer<'a, P> {
         let mut bundle = std::mem::take(&mut self.bundle);
         bundle.questions.clear();
         for sample in 0..count {
+            if self.no_more_light(light) {
+                break;
+            }
             let question = self.question(path, surface, (light, sample));
             bundle.questions.extend(question.map(|q| (sample, q)));
         }
@@ -192,15 +201,8 @@ impl<'a, P: Probe> Tracer<'a, P> {
     /// What is to be asked of a sample of a light, if anything.
     fn question(&mut self, path: &Path, surface: Surface, light: (u32, u32)) -> Option<Question> {
         let scene = &self.world.scene;
-        let asked = lights::question(scene, self.settings, path.asker, surface, light);
-        let allowed = asked.and_then(|question| {
-            if self.out_of_rays() {
-                Err(Absence::RayBudget)
-            } else {
-                Ok(question)
-            }
-        });
-        match allowed {
+        self.spent += 1;
+        match lights::question(scene, self.settings, path.asker, surface, light) {
             Ok(question) => {
                 self.rays += u64::from(self.settings.effects.has(Effect::Shadows));
                 Some(question)
@@ -214,6 +216,19 @@ impl<'a, P: Probe> Tracer<'a, P> {
                 None
             }
         }
+    }
+
+    /// True, and told, if the budget allows no more questions to this light.
+    fn no_more_light(&mut self, light: u32) -> bool {
+        let out = self.out_of_rays();
+        if out {
+            self.probe.event(Event::Absent {
+                kind: RayKind::Light,
+                light,
+                reason: Absence::RayBudget,
+            });
+        }
+        out
     }
 
     /// Sends a shadow ray: true if anything stands before the light. Transparent things block it as well.
@@ -361,7 +376,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
 
     /// True, and noted, if the pixel has sent its share of rays.
     fn out_of_rays(&mut self) -> bool {
-        let out = self.rays >= self.settings.rays_per_pixel();
+        let out = self.spent >= self.settings.further_rays_per_pixel();
         self.cut |= out;
         out
     }
@@ -369,6 +384,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
     /// Tells of a ray that sets out.
     fn send(&mut self, path: &Path) {
         self.rays += 1;
+        self.spent += u64::from(path.depth > 0);
         self.probe.event(Event::Ray(RaySent {
             kind: path.kind,
             sample: 0,

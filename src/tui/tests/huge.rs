@@ -63,6 +63,7 @@ fn a_million_rays_step_and_scroll_without_lag() {
         pixel: Pixel {
             color: Rgb::WHITE,
             rays: 1,
+            spent: 1,
             cut: false,
             ..Pixel::default()
         },
