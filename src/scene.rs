@@ -25,6 +25,7 @@ mod sketch;
 mod slanted;
 mod solids;
 mod spd;
+mod warnings;
 mod world;
 
 pub use camera::Camera;
@@ -33,7 +34,7 @@ pub use effects::{Effect, Effects};
 pub use error::SceneError;
 pub use flags::flags;
 pub use generated::list as generated;
-pub use load::{list, load};
+pub use load::{list, load, load_held};
 pub use sampling::{Adaptive, Pilot, Sampling};
 pub use settings::Settings;
 pub use world::{Room, World};

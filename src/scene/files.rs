@@ -3,6 +3,7 @@
 //! A scene from elsewhere names other files. It may name those in its own folder and below, and nothing else:
 //! relative paths without `..`, regular files, of a bounded size, and symbolic links only if they stay inside.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
@@ -26,6 +27,8 @@ enum Folder {
     Embedded,
     /// On disk.
     Disk(PathBuf),
+    /// In memory.
+    Held(BTreeMap<String, Vec<u8>>),
 }
 
 impl Files {
@@ -43,6 +46,11 @@ impl Files {
             folder
         };
         Self::new(Folder::Disk(folder.to_path_buf()))
+    }
+
+    /// Files in memory, path and bytes of each.
+    pub fn held(files: BTreeMap<String, Vec<u8>>) -> Self {
+        Self::new(Folder::Held(files))
     }
 
     fn new(folder: Folder) -> Self {
@@ -79,6 +87,11 @@ impl Files {
 
     /// The text of the file at `path`, which the user chose and which may be anywhere.
     pub fn open(&mut self, path: &Path) -> Result<String, Problem> {
+        if let Folder::Held(files) = &self.folder {
+            let bytes = path.to_str().and_then(|name| files.get(name));
+            let bytes = bytes.ok_or_else(missing)?.clone();
+            return self.accept(bytes);
+        }
         let (file, length) = regular(path)?;
         if length > MAX_FILE_BYTES {
             return Err(too_large(MAX_FILE_BYTES, "a file"));
@@ -87,6 +100,11 @@ impl Files {
         file.take(MAX_FILE_BYTES + 1)
             .read_to_end(&mut bytes)
             .map_err(|e| unreadable(&e))?;
+        self.accept(bytes)
+    }
+
+    /// Takes a file that was read, as text.
+    fn accept(&mut self, bytes: Vec<u8>) -> Result<String, Problem> {
         self.bytes += bytes.len() as u64;
         // It may have grown since it was asked for its length.
         if bytes.len() as u64 > MAX_FILE_BYTES {
@@ -109,6 +127,13 @@ impl Files {
                 };
                 self.take(text.as_bytes());
                 return Ok(Some(text.to_string()));
+            }
+            Folder::Held(files) => {
+                let Some(bytes) = files.get(name.trim_start_matches("./")) else {
+                    return Ok(None);
+                };
+                let bytes = bytes.clone();
+                return self.accept(bytes).map(Some);
             }
             Folder::Disk(folder) => folder,
         };
@@ -188,13 +213,17 @@ fn text(bytes: Vec<u8>) -> Result<String, Problem> {
     })
 }
 
+fn missing() -> Problem {
+    Problem::new(
+        "there is no such file",
+        "check the spelling, and the folder that you are in",
+    )
+}
+
 /// What the system says about a file.
 fn unreadable(error: &std::io::Error) -> Problem {
     match error.kind() {
-        std::io::ErrorKind::NotFound => Problem::new(
-            "there is no such file",
-            "check the spelling, and the folder that you are in",
-        ),
+        std::io::ErrorKind::NotFound => missing(),
         std::io::ErrorKind::PermissionDenied => {
             Problem::new("reading is not permitted", "check who may read the file")
         }

@@ -1,5 +1,6 @@
 //! The ways to a scene: by the name of a built-in or computed one, from a scene file, from an OBJ file.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::error::{Problem, SceneError};
@@ -25,19 +26,38 @@ pub fn load(spec: &str) -> Result<Scene, SceneError> {
         return scene;
     }
     let path = Path::new(spec);
-    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    if ends_in(path, "obj") {
+        // A clear answer if it cannot be read, before it is looked for as a part of a scene.
+        regular(path).map_err(|p| p.in_file(spec))?;
+    }
+    read(spec, Files::beside(path))
+}
+
+/// The scene in the file `name`, which ends in `.json` or `.obj`. It and all files that it names are looked for in
+/// `held`, by their paths, and on no disk; paths and sizes are bounded as there.
+pub fn load_held(name: &str, held: BTreeMap<String, Vec<u8>>) -> Result<Scene, SceneError> {
+    read(name, Files::held(held))
+}
+
+/// The scene in a scene file or around a model, by how its name ends.
+fn read(spec: &str, mut files: Files) -> Result<Scene, SceneError> {
+    let path = Path::new(spec);
     let stem = path.file_stem().and_then(|s| s.to_str()).unwrap_or(spec);
-    let mut files = Files::beside(path);
-    if ending.eq_ignore_ascii_case("json") {
+    if ends_in(path, "json") {
         let text = files.open(path).map_err(|p| p.in_file(spec))?;
         let mut file = parse(&text, spec)?;
         file.name.get_or_insert_with(|| stem.to_string());
         return resolve(&file, spec, files);
     }
-    if ending.eq_ignore_ascii_case("obj") {
+    if ends_in(path, "obj") {
         return model(path, spec, stem, files);
     }
     Err(unknown(spec).in_file(spec))
+}
+
+fn ends_in(path: &Path, ending: &str) -> bool {
+    let found = path.extension().and_then(|e| e.to_str());
+    found.is_some_and(|e| e.eq_ignore_ascii_case(ending))
 }
 
 /// The built-in scenes: name, and what each shows.
@@ -68,8 +88,6 @@ fn unknown(spec: &str) -> Problem {
 
 /// A scene around a bare model: the camera sees all of it, a light shines over the viewer's left shoulder.
 fn model(path: &Path, spec: &str, stem: &str, files: Files) -> Result<Scene, SceneError> {
-    // A clear answer if it cannot be read, before it is looked for as a part of a scene.
-    regular(path).map_err(|p| p.in_file(spec))?;
     let name = path.file_name().and_then(|n| n.to_str());
     let file = SceneFile {
         format: Format::V1,
@@ -78,7 +96,7 @@ fn model(path: &Path, spec: &str, stem: &str, files: Files) -> Result<Scene, Sce
         camera: CameraFile::new([0.0, 0.0, 1.0], [0.0; 3]),
         background: Rgb::new(0.35, 0.45, 0.6),
         ambient: Rgb::grey(0.25),
-        materials: std::collections::BTreeMap::new(),
+        materials: BTreeMap::new(),
         lights: vec![LightFile::Directional(DirectionalFile {
             name: "key".to_string(),
             note: None,

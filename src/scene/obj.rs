@@ -14,8 +14,8 @@ use faces::{Faces, Mark};
 
 use super::error::{Problem, SceneError};
 use super::files::Files;
-use super::limits::MAX_PRIMITIVES;
 use super::mesh::Mesh;
+use super::warnings::Warnings;
 use crate::shading::Material;
 
 /// What an OBJ file holds.
@@ -23,10 +23,8 @@ use crate::shading::Material;
 pub struct Obj {
     /// Its parts: each has a name and at most one material.
     pub parts: Vec<Part>,
-    /// The materials that its MTL files describe.
+    /// The materials that they use, as its MTL files describe them.
     pub materials: Vec<Material>,
-    /// What was strange.
-    pub warnings: Vec<String>,
 }
 
 /// A part of an OBJ file.
@@ -51,6 +49,7 @@ pub fn parse(
     text: &str,
     name: &str,
     files: &mut Files,
+    warnings: &mut Warnings,
     own_materials: bool,
 ) -> Result<Obj, SceneError> {
     let file = &files.label(name);
@@ -63,17 +62,9 @@ pub fn parse(
         )
         .in_file(file));
     }
-    if triangles > MAX_PRIMITIVES {
-        return Err(Problem::new(
-            format!("it has more than {MAX_PRIMITIVES} triangles"),
-            "use a model with fewer triangles",
-        )
-        .in_file(file));
-    }
-    let mut warnings = Vec::new();
     let (count, line) = surface.faces.edges;
     if count > 0 {
-        warnings.push(format!(
+        warnings.add(|| format!(
             "{file}:{line}: {count} faces have fewer than three corners, this is the first: they are left out"
         ));
     }
@@ -81,39 +72,39 @@ pub fn parse(
         return Ok(Obj {
             parts: vec![parts::whole(surface)],
             materials: Vec::new(),
-            warnings,
         });
     }
-    let materials = read_materials(&surface.faces, name, files, &mut warnings)?;
-    // The first of a name counts.
-    let mut numbers = HashMap::new();
-    for (number, material) in materials.iter().enumerate() {
-        numbers.entry(material.name.as_str()).or_insert(number);
-    }
+    let materials = read_materials(&surface.faces, name, files, warnings)?;
+    let numbers: HashMap<&str, usize> = (materials.iter().enumerate())
+        .map(|(number, material)| (material.name.as_str(), number))
+        .collect();
     let parts = parts::parts(surface, |name| numbers.get(name).copied());
-    Ok(Obj {
-        parts,
-        materials,
-        warnings,
-    })
+    Ok(Obj { parts, materials })
 }
 
-/// The materials of all MTL files that an OBJ file names. One that is missing, or a material that none describes, is
-/// only a warning: the shape can be seen without.
+/// The materials that an OBJ file's faces use, from the MTL files that it names; each of these is read once. One that is
+/// missing, or a material that none describes, is only a warning: the shape can be seen without.
 fn read_materials(
     faces: &Faces,
     name: &str,
     files: &mut Files,
-    warnings: &mut Vec<String>,
+    warnings: &mut Warnings,
 ) -> Result<Vec<Material>, SceneError> {
     let mut materials: Vec<Material> = Vec::new();
     let file = &files.label(name);
-    let mut libraries = 0;
+    let used = faces.marks.iter().filter_map(|(_, line, mark)| match mark {
+        Mark::Material(name) => Some((name.as_str(), *line)),
+        _ => None,
+    });
+    let mut missing: HashSet<&str> = used.clone().map(|(name, _)| name).collect();
+    let mut libraries = HashSet::new();
     for (_, line, mark) in &faces.marks {
         let Mark::Library(library) = mark else {
             continue;
         };
-        libraries += 1;
+        if !libraries.insert(library.as_str()) {
+            continue;
+        }
         // Its path starts where the OBJ file is.
         let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
         let path = match folder {
@@ -125,26 +116,23 @@ fn read_materials(
             .read(&path)
             .map_err(|problem| problem.in_line(file, *line))?;
         let Some(text) = text else {
-            warnings.push(format!(
-                "{file}:{line}: there is no file `{library}`: what it describes is grey"
-            ));
+            warnings.add(|| {
+                format!("{file}:{line}: there is no file `{library}`: what it describes is grey")
+            });
             continue;
         };
-        let found = mtl::parse(&text)
+        let found = mtl::parse(&text, |name| missing.remove(name))
             .map_err(|(line, problem)| problem.in_line(&files.label(&path), line))?;
         materials.extend(found);
     }
-    if libraries == 0 {
+    if libraries.is_empty() {
         return Ok(materials);
     }
-    let mut known: HashSet<&str> = materials.iter().map(|m| m.name.as_str()).collect();
-    for (_, line, mark) in &faces.marks {
-        if let Mark::Material(name) = mark
-            && known.insert(name)
-        {
-            warnings.push(format!(
-                "{file}:{line}: no MTL file describes the material `{name}`: it is grey"
-            ));
+    for (name, line) in used {
+        if missing.remove(name) {
+            warnings.add(|| {
+                format!("{file}:{line}: no MTL file describes the material `{name}`: it is grey")
+            });
         }
     }
     Ok(materials)

@@ -10,14 +10,15 @@ mod objects;
 mod placement;
 mod shapes;
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use super::error::{Place, SceneError};
 use super::file::{CameraFile, MaterialFile, SceneFile, SettingsFile};
 use super::files::Files;
 use super::limits::{
-    IOR, MAX_EXPONENT, MAX_LIGHT_SAMPLES, MAX_RADIANCE, MAX_SAMPLES, MAX_WARNINGS, size_problem,
+    IOR, MAX_EXPONENT, MAX_LIGHT_SAMPLES, MAX_RADIANCE, MAX_SAMPLES, size_problem,
 };
+use super::warnings::Warnings;
 use super::{Camera, Scene, Settings};
 use crate::geometry::Arithmetic;
 use crate::math::Rgb;
@@ -44,16 +45,16 @@ pub fn resolve(file: &SceneFile, label: &str, files: Files) -> Result<Scene, Sce
             settings: settings(&file.settings, &place.key("settings"))?,
             warnings: Vec::new(),
         },
-        names: HashSet::new(),
+        names: HashMap::new(),
+        known_materials: HashMap::new(),
         files,
-        more_warnings: 0,
+        warnings: Warnings::default(),
     };
     checks::name(&builder.scene.name, &place.key("name"))?;
     for (name, material) in &file.materials {
         let place = place.key("materials").key(name);
         checks::name(name, &place)?;
-        let material = self::material(name, material, &place)?;
-        builder.scene.materials.push(material);
+        builder.add_material(self::material(name, material, &place)?);
     }
     builder.objects(&file.objects, &place.key("objects"))?;
     builder.lights(&file.lights, &place.key("lights"))?;
@@ -63,30 +64,30 @@ pub fn resolve(file: &SceneFile, label: &str, files: Files) -> Result<Scene, Sce
 /// A scene in the making.
 struct Builder {
     scene: Scene,
-    /// Names of objects so far.
-    names: HashSet<String>,
+    /// Objects so far, by name.
+    names: HashMap<String, u32>,
+    /// Materials so far, by name.
+    known_materials: HashMap<String, u32>,
     files: Files,
-    /// Warnings beyond those that are kept.
-    more_warnings: usize,
+    warnings: Warnings,
 }
 
 impl Builder {
-    fn warn(&mut self, warning: &str) {
-        if self.scene.warnings.len() < MAX_WARNINGS {
-            self.scene.warnings.push(super::error::printable(warning));
-        } else {
-            self.more_warnings += 1;
-        }
+    /// Puts in a material with a name that none has yet; tells its number.
+    fn add_material(&mut self, material: Material) -> u32 {
+        let number = self.scene.materials.len() as u32;
+        self.known_materials.insert(material.name.clone(), number);
+        self.scene.materials.push(material);
+        number
     }
 
     fn finish(mut self) -> Scene {
         if self.scene.objects.is_empty() {
-            self.warn("the scene has no objects: the picture shows the background alone");
+            self.warnings.add(|| {
+                "the scene has no objects: the picture shows the background alone".to_string()
+            });
         }
-        if self.more_warnings > 0 {
-            let more = format!("and {} more warnings", self.more_warnings);
-            self.scene.warnings.push(more);
-        }
+        self.scene.warnings = self.warnings.into_lines();
         self.scene.hash = self.files.hash();
         self.scene
     }

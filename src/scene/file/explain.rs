@@ -89,7 +89,7 @@ fn by_word(what: &str, word: &str, field: &str) -> Option<Problem> {
 }
 
 /// Mistakes that the parser's message begins with: its words, what to say, what to do.
-const STARTS: [(&str, &str, &str); 10] = [
+const STARTS: [(&str, &str, &str); 14] = [
     (
         "EOF",
         "the file ends in the middle",
@@ -101,6 +101,26 @@ const STARTS: [(&str, &str, &str); 10] = [
         "write a number between -1e12 and 1e12",
     ),
     ("recursion limit", "the file is nested too deeply", TOO_DEEP),
+    (
+        "expected value",
+        "a value is missing here, or is none that JSON has",
+        "write a number, a text in double quotation marks, true, false, a list [...] or an object {...}",
+    ),
+    (
+        "expected ident",
+        "here stands a word that JSON does not have",
+        "write true, false or null in full, and any other text in double quotation marks",
+    ),
+    (
+        "invalid number",
+        "the number is not whole, or has a sign too many",
+        "write it as in 0.5, -2 or 1e6",
+    ),
+    (
+        "invalid escape",
+        "a `\\` in a string stands before a letter that it cannot stand before",
+        "write \\\\ for the sign itself, and / between the folders of a path",
+    ),
     (
         "trailing comma",
         "there is a comma before a closing bracket",

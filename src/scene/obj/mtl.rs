@@ -22,13 +22,29 @@ struct Entry {
     illum: u8,
 }
 
-/// The materials of an MTL file, in their order, or the line of the first mistake, from 1.
-pub fn parse(text: &str) -> Result<Vec<Material>, (usize, Problem)> {
-    let mut entries: Vec<Entry> = Vec::new();
-    for (line, words) in (1..).zip(text.lines().map(str::split_whitespace)) {
-        read_line(words, &mut entries).map_err(|problem| (line, problem))?;
+/// Those materials of an MTL file that are `wanted` by their names, in their order, or the line of the first mistake,
+/// from 1. Of two with one name the first counts.
+pub fn parse<'a>(
+    text: &'a str,
+    mut wanted: impl FnMut(&str) -> bool,
+) -> Result<Vec<Material>, (usize, Problem)> {
+    let mut materials = Vec::new();
+    let mut entry: Option<Entry> = None;
+    let mut finish = |entry: Option<Entry>| {
+        let wanted = entry.filter(|entry| wanted(&entry.name));
+        materials.extend(wanted.map(Entry::material));
+    };
+    for (line, mut words) in (1..).zip(text.lines().map(str::split_whitespace)) {
+        let Some(key) = words.next() else { continue };
+        let rest: Vec<&'a str> = words.collect();
+        if key == "newmtl" {
+            finish(entry.replace(Entry::new(rest.join(" "))));
+        } else {
+            read_line(key, &rest, entry.as_mut()).map_err(|problem| (line, problem))?;
+        }
     }
-    Ok(entries.into_iter().map(Entry::material).collect())
+    finish(entry);
+    Ok(materials)
 }
 
 /// A material of which nothing is said but its name.
@@ -36,39 +52,28 @@ pub fn matt_grey(name: &str) -> Material {
     Entry::new(name.to_string()).material()
 }
 
-fn read_line<'a>(
-    mut words: impl Iterator<Item = &'a str>,
-    entries: &mut Vec<Entry>,
-) -> Result<(), Problem> {
-    let Some(key) = words.next() else {
-        return Ok(());
-    };
-    let rest: Vec<&str> = words.collect();
-    if key == "newmtl" {
-        entries.push(Entry::new(rest.join(" ")));
-        return Ok(());
-    }
+fn read_line(key: &str, rest: &[&str], entry: Option<&mut Entry>) -> Result<(), Problem> {
     if !["Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum"].contains(&key) {
         return Ok(());
     }
-    let Some(entry) = entries.last_mut() else {
+    let Some(entry) = entry else {
         return Err(Problem::new(
             format!("`{key}` stands before any `newmtl`"),
             "begin each material with a line `newmtl name`",
         ));
     };
     match key {
-        "Ka" => entry.ambient = Some(color(key, &rest, MAX_RADIANCE)?),
-        "Kd" => entry.diffuse = color(key, &rest, MAX_RADIANCE)?,
-        "Ks" => entry.specular = color(key, &rest, MAX_RADIANCE)?,
-        "Ke" => entry.emission = color(key, &rest, MAX_RADIANCE)?,
-        "Ns" => entry.shininess = number(key, &rest, [0.0, MAX_EXPONENT])?,
+        "Ka" => entry.ambient = Some(color(key, rest, MAX_RADIANCE)?),
+        "Kd" => entry.diffuse = color(key, rest, MAX_RADIANCE)?,
+        "Ks" => entry.specular = color(key, rest, MAX_RADIANCE)?,
+        "Ke" => entry.emission = color(key, rest, MAX_RADIANCE)?,
+        "Ns" => entry.shininess = number(key, rest, [0.0, MAX_EXPONENT])?,
         // Some exporters write 0 for "not said".
         "Ni" if rest.first() == Some(&"0") => {}
-        "Ni" => entry.ior = number(key, &rest, IOR)?,
-        "d" => entry.opacity = number(key, &rest, [0.0, 1.0])?,
-        "Tr" => entry.opacity = 1.0 - number(key, &rest, [0.0, 1.0])?,
-        _ => entry.illum = number(key, &rest, [0.0, 10.0])? as u8,
+        "Ni" => entry.ior = number(key, rest, IOR)?,
+        "d" => entry.opacity = number(key, rest, [0.0, 1.0])?,
+        "Tr" => entry.opacity = 1.0 - number(key, rest, [0.0, 1.0])?,
+        _ => entry.illum = number(key, rest, [0.0, 10.0])? as u8,
     }
     Ok(())
 }
@@ -163,7 +168,7 @@ mod tests {
     #[test]
     fn a_material_is_read_and_unknown_lines_are_passed_over() {
         let text = "# a comment\r\nnewmtl red glass\r\nKd 1 0 0\r\nKs 2 0.5 0\nd 0.25\nNi 1.5\nillum 4\nmap_Kd x.png\n";
-        let materials = parse(text).expect("a good file");
+        let materials = parse(text, |_| true).expect("a good file");
         let [glass] = &materials[..] else {
             panic!("one material")
         };
@@ -187,8 +192,12 @@ mod tests {
             ("newmtl a\nNi -1", 2),
             ("Kd 1 1 1", 1),
         ] {
-            assert_eq!(parse(text).err().map(|e| e.0), Some(line), "{text:?}");
+            assert_eq!(
+                parse(text, |_| true).err().map(|e| e.0),
+                Some(line),
+                "{text:?}"
+            );
         }
-        assert_eq!(parse("").map(|m| m.len()), Ok(0));
+        assert_eq!(parse("", |_| true).map(|m| m.len()), Ok(0));
     }
 }

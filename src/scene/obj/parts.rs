@@ -26,8 +26,9 @@ pub fn whole(surface: Surface) -> Part {
 }
 
 /// The parts, in their order. `material` is the number of the material with a name, if there is one.
-pub fn parts(surface: Surface, material: impl Fn(&str) -> Option<usize>) -> Vec<Part> {
-    let mut runs = runs(&surface.faces, material);
+pub fn parts(mut surface: Surface, material: impl Fn(&str) -> Option<usize>) -> Vec<Part> {
+    let marks = std::mem::take(&mut surface.faces.marks);
+    let mut runs = runs(marks, surface.faces.triangles.len(), material);
     if runs.len() == 1 {
         let run = runs.remove(0);
         return vec![Part {
@@ -66,29 +67,33 @@ pub fn parts(surface: Surface, material: impl Fn(&str) -> Option<usize>) -> Vec<
 }
 
 /// A name begins a new run, and so does another material.
-fn runs(faces: &Faces, number: impl Fn(&str) -> Option<usize>) -> Vec<Run> {
+fn runs(
+    marks: Vec<(usize, usize, Mark)>,
+    end: usize,
+    number: impl Fn(&str) -> Option<usize>,
+) -> Vec<Run> {
     let (mut runs, mut first) = (Vec::new(), 0);
     let (mut name, mut material) = (String::new(), None);
-    for (at, _, mark) in &faces.marks {
+    for (at, _, mark) in marks {
+        let is_name = matches!(mark, Mark::Name(_));
         let (next_name, next_material) = match mark {
-            Mark::Name(next) if matches!(&**next, "default" | "off") => (String::new(), material),
-            Mark::Name(next) => (next.clone(), material),
-            Mark::Material(next) => (name.clone(), number(next)),
+            Mark::Name(next) if matches!(&*next, "default" | "off") => (String::new(), material),
+            Mark::Name(next) => (next, material),
+            Mark::Material(next) => (name.clone(), number(&next)),
             Mark::Library(_) => continue,
         };
-        let ends = matches!(mark, Mark::Name(_)) || next_material != material;
-        if ends && *at > first {
+        let ends = is_name || next_material != material;
+        if ends && at > first {
             runs.push(Run {
                 name,
                 material,
                 first,
-                end: *at,
+                end: at,
             });
-            first = *at;
+            first = at;
         }
         (name, material) = (next_name, next_material);
     }
-    let end = faces.triangles.len();
     if end > first {
         runs.push(Run {
             name,

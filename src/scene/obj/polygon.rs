@@ -2,6 +2,9 @@
 
 use crate::math::{DVec2, DVec3, Frame};
 
+/// Looks at all corners again where none seems to be an ear: few, so that the time grows with the square of the corners.
+const LOOKS: usize = 8;
+
 /// Triangles that cover a polygon in space, as triples of numbers of its corners. Convex polygons become a fan;
 /// others are cut ear by ear (Meisters 1975): a corner whose triangle turns the right way and holds no other corner
 /// can be cut off. What is left when no ear is found (the polygon crosses itself) becomes a fan.
@@ -11,19 +14,35 @@ pub fn triangulate(corners: &[DVec3]) -> Vec<[usize; 3]> {
     let flat = flatten(corners);
     let turn = |a: usize, b: usize, c: usize| (flat[b] - flat[a]).perp_dot(flat[c] - flat[a]);
     if !is_convex(&flat) {
+        let is_ear = |left: &[usize], i: usize| {
+            let n = left.len();
+            let (a, b, c) = (left[(i + n - 1) % n], left[i], left[(i + 1) % n]);
+            let covers =
+                |p: usize| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+            // A corner in the same place as one of the ear's own is in nobody's way.
+            let other = |p: usize| [a, b, c].iter().all(|&q| flat[p] != flat[q]);
+            turn(a, b, c) > 0.0 && !left.iter().any(|&p| other(p) && covers(p))
+        };
+        let look = |left: &[usize]| (0..left.len()).map(|i| is_ear(left, i)).collect();
+        let mut ears: Vec<bool> = look(&left);
+        let mut looks = LOOKS;
         while left.len() > 3 {
             let n = left.len();
-            let ear = (0..n).find(|&i| {
-                let (a, b, c) = (left[(i + n - 1) % n], left[i], left[(i + 1) % n]);
-                let covers =
-                    |p: usize| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
-                // A corner in the same place as one of the ear's own is in nobody's way.
-                let other = |p: usize| [a, b, c].iter().all(|&q| flat[p] != flat[q]);
-                turn(a, b, c) > 0.0 && !left.iter().any(|&p| other(p) && covers(p))
-            });
-            let Some(i) = ear else { break };
+            let Some(i) = ears.iter().position(|ear| *ear) else {
+                if looks == 0 {
+                    break;
+                }
+                looks -= 1;
+                ears = look(&left);
+                continue;
+            };
             triangles.push([left[(i + n - 1) % n], left[i], left[(i + 1) % n]]);
             left.remove(i);
+            ears.remove(i);
+            // In a polygon that does not touch itself, a cut changes the corners beside it and no others.
+            for beside in [(i + n - 2) % (n - 1), i % (n - 1)] {
+                ears[beside] = is_ear(&left, beside);
+            }
         }
     }
     triangles.extend((2..left.len()).map(|i| [left[0], left[i - 1], left[i]]));

@@ -7,9 +7,13 @@ use super::faces::{self, Counts, Faces, Piece};
 use super::vertices;
 use crate::math::{DVec2, DVec3};
 use crate::scene::error::Problem;
+use crate::scene::limits::MAX_PRIMITIVES;
 
 /// Bytes of a piece: enough that its own price does not matter.
 const PIECE: usize = 1 << 18;
+
+/// Pieces whose faces are read side by side, before their triangles are counted.
+const AT_ONCE: usize = 64;
 
 /// The surface that an OBJ file describes, before it is parted.
 #[derive(Debug, Default)]
@@ -56,19 +60,32 @@ pub fn read_in_pieces(text: &str, size: usize) -> Result<Surface, (usize, Proble
     }
     let points = &surface.points;
     let read = |piece: &Piece| faces::read(piece, points, counts);
-    let mut faces: Vec<_> = pieces.par_iter().map(read).collect();
-    // The mistakes of both passes: the first line counts.
-    let mistakes = faces.iter_mut().filter_map(|found| found.mistake.take());
-    if let Some(first) = mistakes.chain(mistake).min_by_key(|(line, _)| *line) {
-        return Err(first);
+    let mut all = Faces::default();
+    for some in pieces.chunks(AT_ONCE) {
+        let mut faces: Vec<_> = some.par_iter().map(read).collect();
+        // The mistakes of both passes: the first line counts.
+        let mut mistakes = faces.iter_mut().filter_map(|found| found.mistake.take());
+        if let Some((line, problem)) = mistakes.next() {
+            let first = mistake.filter(|(earlier, _)| *earlier <= line);
+            return Err(first.unwrap_or((line, problem)));
+        }
+        let total: usize = faces.iter().map(|found| found.triangles.len()).sum();
+        // Asked before there are many more: a face is a few letters, a triangle in memory a hundred bytes.
+        if all.triangles.len() + total > MAX_PRIMITIVES {
+            let problem = Problem::new(
+                format!("here are more than {MAX_PRIMITIVES} triangles"),
+                "use a model with fewer triangles",
+            );
+            return Err((some[0].line, problem));
+        }
+        all.triangles.reserve_exact(total);
+        all.lines.reserve_exact(total);
+        for found in faces {
+            all.append(found);
+        }
     }
-    let total = faces.iter().map(|found| found.triangles.len()).sum();
-    surface.faces.triangles.reserve_exact(total);
-    surface.faces.lines.reserve_exact(total);
-    for found in faces {
-        surface.faces.append(found);
-    }
-    Ok(surface)
+    surface.faces = all;
+    mistake.map_or(Ok(surface), Err)
 }
 
 /// Pieces of about `size` bytes that end where lines end.

@@ -96,7 +96,7 @@ impl Builder {
     fn area(&self, file: &AreaFile, place: &Place) -> Result<Source, SceneError> {
         let place = place.key("object");
         let objects = &self.scene.objects;
-        let Some(number) = objects.iter().position(|o| o.name == file.object) else {
+        let Some(&number) = self.names.get(&file.object) else {
             let names = objects.iter().map(|o| o.name.as_str());
             return Err(place.error(
                 format!("there is no object `{}`", file.object),
@@ -106,6 +106,7 @@ impl Builder {
                 ),
             ));
         };
+        let number = number as usize;
         let material = &self.scene.materials[objects[number].material as usize];
         if material.emission.is_black() {
             return Err(place.error(

@@ -51,11 +51,13 @@ impl Builder {
                 Some(line) => format!("the first is on line {line}"),
                 None => format!("the first is number {first}"),
             };
-            self.warn(&format!(
-                "object `{}`: {} of {count} triangles have no area ({which}): they are left out",
-                header.name,
-                flat.len(),
-            ));
+            self.warnings.add(|| {
+                format!(
+                    "object `{}`: {} of {count} triangles have no area ({which}): they are left out",
+                    header.name,
+                    flat.len(),
+                )
+            });
             leave_out(&flat, &mut triangles);
             leave_out(&flat, &mut corners.normal_indices);
             leave_out(&flat, &mut corners.uv_indices);

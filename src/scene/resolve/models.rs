@@ -23,10 +23,8 @@ impl Builder {
             )
         })?;
         let own_materials = material.is_none();
-        let read = obj::parse(&text, &file.file, &mut self.files, own_materials)?;
-        for warning in &read.warnings {
-            self.warn(warning);
-        }
+        let (files, warnings) = (&mut self.files, &mut self.warnings);
+        let read = obj::parse(&text, &file.file, files, warnings, own_materials)?;
 
         if let Some(material) = material {
             let mut parts = read.parts.into_iter();
@@ -36,7 +34,10 @@ impl Builder {
         for found in read.materials {
             numbers.push(self.own_material(found, &header.name, &header.place)?);
         }
-        let several = read.parts.len() > 1;
+        let triangles = read.parts.iter().map(|part| part.mesh.triangles.len());
+        let (parts, triangles) = (read.parts.len(), triangles.sum());
+        self.expect(parts, triangles, &header.place)?;
+        let several = parts > 1;
         for (i, part) in read.parts.into_iter().enumerate() {
             let material = match part.material.and_then(|m| numbers.get(m)) {
                 Some(material) => *material,
@@ -61,7 +62,7 @@ impl Builder {
     fn part_name(&self, object: &str, part: &str, number: usize) -> String {
         let part = if part.is_empty() { "part" } else { part };
         let name = format!("{object}/{part}");
-        if self.names.contains(&name) {
+        if self.names.contains_key(&name) {
             format!("{name}#{number}")
         } else {
             name
@@ -75,7 +76,7 @@ impl Builder {
         object: &str,
         place: &Place,
     ) -> Result<u32, SceneError> {
-        let known = |name: &str| self.scene.materials.iter().any(|m| m.name == name);
+        let known = |name: &str| self.known_materials.contains_key(name);
         if known(&material.name) {
             material.name = format!("{object}/{}", material.name);
         }
@@ -84,15 +85,14 @@ impl Builder {
             material.name = format!("{}#{number}", material.name);
         }
         checks::name(&material.name, place)?;
-        self.scene.materials.push(material);
-        Ok(number as u32)
+        Ok(self.add_material(material))
     }
 
     /// The material of what has none.
     fn grey(&mut self, place: &Place) -> Result<u32, SceneError> {
         let name = "grey (no material given)";
-        if let Some(i) = self.scene.materials.iter().position(|m| m.name == name) {
-            return Ok(i as u32);
+        if let Some(&number) = self.known_materials.get(name) {
+            return Ok(number);
         }
         let grey = obj::default_material(name);
         self.own_material(grey, "", place)

@@ -161,10 +161,10 @@ impl Builder {
 
     /// The number of the material with this name.
     pub fn material(&self, name: &str, place: &Place) -> Result<u32, SceneError> {
-        let names = || self.scene.materials.iter().map(|m| m.name.as_str());
-        if let Some(i) = names().position(|known| known == name) {
-            return Ok(i as u32);
+        if let Some(&number) = self.known_materials.get(name) {
+            return Ok(number);
         }
+        let names = || self.scene.materials.iter().map(|m| m.name.as_str());
         let listed = names().take(12).collect::<Vec<_>>().join(", ");
         let cure = match nearest(name, names()) {
             Some(near) => format!("did you mean `{near}`? There are: {listed}"),
@@ -178,7 +178,8 @@ impl Builder {
     /// Begins an object: what is put in from now on belongs to it.
     pub fn begin(&mut self, name: &str, material: u32, place: &Place) -> Result<(), SceneError> {
         checks::name(name, &place.key("name"))?;
-        if !self.names.insert(name.to_string()) {
+        let number = self.scene.objects.len() as u32;
+        if self.names.insert(name.to_string(), number).is_some() {
             return Err(place.key("name").error(
                 format!("there are two objects named `{name}`"),
                 "give one of them a different name",
@@ -220,10 +221,24 @@ impl Builder {
             .reduce(|| DVec3::ZERO, DVec3::max);
         near(reach, place)?;
         let shapes = &mut self.scene.shapes;
-        shapes.reserve_exact(triangles.len());
+        shapes.reserve(triangles.len());
         shapes.par_extend(triangles.par_iter().map(|t| Shape::Triangle(make(t))));
         let owner = self.scene.objects.len() as u32 - 1;
         self.scene.owners.resize(shapes.len(), owner);
+        Ok(())
+    }
+
+    /// Makes room for so many more objects and shapes, if there may be so many.
+    pub fn expect(
+        &mut self,
+        objects: usize,
+        shapes: usize,
+        place: &Place,
+    ) -> Result<(), SceneError> {
+        self.make_room(shapes, place)?;
+        self.scene.shapes.reserve(shapes);
+        self.scene.objects.reserve(objects);
+        self.names.reserve(objects);
         Ok(())
     }
 
