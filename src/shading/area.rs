@@ -11,7 +11,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::light::Illumination;
+use super::light::{Illumination, MAX_ATTENUATION};
 use super::projected::Projected;
 use crate::geometry::{Disc, Shape, Sphere, Triangle};
 use crate::math::rounding::{gamma, offset_origin};
@@ -97,7 +97,7 @@ impl Area {
         let cos_angle = chosen.normal.dot(direction).abs();
         let squared = (point - chosen.at).length_squared();
         let attenuation = chosen.area * cos_angle / (PI * squared);
-        (cos_angle > 0.0 && attenuation.is_finite()).then_some(Illumination {
+        (cos_angle > 0.0 && attenuation <= MAX_ATTENUATION).then_some(Illumination {
             direction,
             distance,
             attenuation,

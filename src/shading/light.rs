@@ -3,6 +3,10 @@
 use super::area::Area;
 use crate::math::{DVec3, Rgb};
 
+/// The largest factor on a light's intensity: the inverse square law at the width of an atom is far below, and the sums that
+/// are made of what is above have no end.
+pub const MAX_ATTENUATION: f64 = 1e100;
+
 /// A light and its name in the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
@@ -129,7 +133,8 @@ impl Source {
         let distance = to_light.length();
         let direction = to_light.try_normalize()?;
         let attenuation = 1.0 / (a + b * distance + c * distance * distance);
-        Some(Illumination {
+        // As near as that, light has no end.
+        (attenuation <= MAX_ATTENUATION).then_some(Illumination {
             direction,
             distance,
             attenuation,
