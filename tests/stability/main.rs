@@ -9,6 +9,7 @@ mod common;
 
 mod bsp;
 mod camera;
+mod files;
 mod media;
 mod meshes;
 mod optics;
