@@ -1,0 +1,419 @@
+//! Scene files, made by chance: nearly right, with all that a scene can have, and here and there what it must not have.
+
+use super::dice::Dice;
+use super::words::{HARD, NAMES, WRONG};
+
+/// A scene file in the making.
+pub struct Document<'d> {
+    dice: &'d mut Dice,
+    /// One number or name in so many is hard, and one in so many wrong.
+    hard: usize,
+    wrong: usize,
+    names: usize,
+}
+
+/// The text of a scene file.
+pub fn document(dice: &mut Dice) -> String {
+    let hard = [3, 10, 100, 1000][dice.below(4)];
+    let wrong = [20, 400, 1_000_000, 1_000_000][dice.below(4)];
+    Document {
+        dice,
+        hard,
+        wrong,
+        names: 0,
+    }
+    .scene()
+}
+
+impl Document<'_> {
+    fn scene(&mut self) -> String {
+        let mut fields = vec![format!("\"format\": \"raytree-scene/{}\"", 1 + self.slip())];
+        let camera = [("eye", 3), ("look_at", 3), ("up", 0), ("vertical_fov", 1)];
+        let camera = camera.map(|(key, size)| match (key, size) {
+            ("up", _) if self.dice.one_in(2) => String::new(),
+            ("eye", _) => format!("\"eye\": [{}, {}, 5]", self.number(), self.number()),
+            ("vertical_fov", _) => format!("\"{key}\": {}", self.angle()),
+            _ => format!("\"{key}\": {}", self.vector()),
+        });
+        fields.push(format!("\"camera\": {{{}}}", joined(&camera)));
+        let optional = [
+            format!("\"name\": \"{}\"", self.name()),
+            format!("\"background\": {}", self.color()),
+            format!("\"ambient\": {}", self.color()),
+            format!("\"settings\": {{{}}}", self.settings()),
+            "\"note\": \"n\"".to_string(),
+        ];
+        fields.extend(optional.into_iter().filter(|_| self.dice.one_in(2)));
+        let materials: Vec<_> = ["a", "b", "c"]
+            .iter()
+            .map(|name| format!("\"{name}\": {}", self.material()))
+            .collect();
+        fields.push(format!("\"materials\": {{{}}}", materials.join(",")));
+        let objects: Vec<_> = (0..=self.dice.few(12)).map(|_| self.object(0)).collect();
+        fields.push(format!("\"objects\": [{}]", objects.join(",\n")));
+        let lights: Vec<_> = (0..self.dice.few(5)).map(|_| self.light()).collect();
+        fields.push(format!("\"lights\": [{}]", lights.join(",")));
+        // The order of fields is free; now and then one is missing or there twice.
+        let turn = self.dice.below(fields.len());
+        fields.rotate_left(turn);
+        if self.slip() == 1 {
+            fields.pop();
+        }
+        if self.slip() == 1 {
+            fields.push(fields[0].clone());
+        }
+        format!("{{{}}}", fields.join(",\n"))
+    }
+
+    /// 1 where something shall be wrong, else 0.
+    fn slip(&mut self) -> usize {
+        usize::from(self.dice.one_in(self.wrong))
+    }
+
+    fn number(&mut self) -> String {
+        if self.slip() == 1 {
+            self.dice.pick(&WRONG).to_string()
+        } else if self.dice.one_in(self.hard) {
+            self.dice.pick(&HARD).to_string()
+        } else if self.dice.one_in(2) {
+            format!("{:.0}", self.dice.between(-4.0, 4.0))
+        } else {
+            format!("{:.3}", self.dice.between(-4.0, 4.0))
+        }
+    }
+
+    /// From 0 up.
+    fn positive(&mut self) -> String {
+        let number = self.number();
+        let digits = number.trim_start_matches('-');
+        if digits == "0" {
+            "1".to_string()
+        } else {
+            digits.to_string()
+        }
+    }
+
+    fn or_zero(&mut self) -> String {
+        if self.dice.one_in(2) {
+            "0".to_string()
+        } else {
+            self.positive()
+        }
+    }
+
+    fn vector(&mut self) -> String {
+        let size = 3 + self.slip() - self.slip();
+        let numbers: Vec<_> = (0..size).map(|_| self.number()).collect();
+        format!("[{}]", numbers.join(","))
+    }
+
+    fn angle(&mut self) -> String {
+        if self.dice.one_in(self.hard) {
+            self.number()
+        } else {
+            format!("{:.2}", self.dice.between(1.0, 170.0))
+        }
+    }
+
+    /// Channels from 0 to 1, now and then others.
+    fn color(&mut self) -> String {
+        let channels: Vec<_> = (0..3)
+            .map(|_| match self.dice.below(self.hard) {
+                0 => self.positive(),
+                1 => "1e12".to_string(),
+                _ => format!("{:.2}", self.dice.between(0.0, 1.0)),
+            })
+            .collect();
+        format!("[{}]", channels.join(","))
+    }
+
+    fn material(&mut self) -> String {
+        let fields = [
+            Some(format!("\"diffuse\": {}", self.color())),
+            self.dice
+                .one_in(2)
+                .then(|| String::from("\"specular\": [0.5, 0.5, 0.5], \"shininess\": 9")),
+            self.dice
+                .one_in(3)
+                .then(|| String::from("\"mirror\": [0.5, 1, 0.9]")),
+            self.dice
+                .one_in(3)
+                .then(|| String::from("\"transmission\": [0.9, 1, 0.5]")),
+            self.dice
+                .one_in(3)
+                .then(|| format!("\"ior\": {}", self.positive())),
+            self.dice
+                .one_in(3)
+                .then(|| format!("\"emission\": {}", self.color())),
+            self.dice
+                .one_in(4)
+                .then(|| format!("\"ambient\": {}", self.color())),
+            self.dice.one_in(4).then(|| {
+                format!(
+                    "\"checker\": {{\"diffuse\": {}, \"size\": {}}}",
+                    self.color(),
+                    self.positive()
+                )
+            }),
+        ];
+        let fields: Vec<_> = fields.into_iter().flatten().collect();
+        format!("{{{}}}", joined(&fields))
+    }
+
+    fn settings(&mut self) -> String {
+        let whole = |d: &mut Self, most: usize| match d.slip() {
+            1 => d.number(),
+            _ => (1 + d.dice.below(most)).to_string(),
+        };
+        let fields = [
+            format!("\"size\": [{}, {}]", whole(self, 400), whole(self, 400)),
+            format!("\"samples\": {}", whole(self, 5000)),
+            format!(
+                "\"sampling\": \"{}\"",
+                self.dice.pick(&["regular", "jittered"])
+            ),
+            format!("\"light_samples\": {}", whole(self, 70_000)),
+            format!(
+                "\"sampler\": \"{}\"",
+                self.dice.pick(&["grid", "random", "stratified", "sobol"])
+            ),
+            format!(
+                "\"depth\": {}",
+                self.dice
+                    .pick(&["0", "1", "5", "1000", "1001", "4294967295"])
+            ),
+            format!(
+                "\"min_weight\": {}",
+                self.dice.pick(&["0", "0.001", "1e-320", "1e12", "2"])
+            ),
+            format!(
+                "\"seed\": {}",
+                self.dice
+                    .pick(&["0", "7", "18446744073709551615", "-1", "1.5"])
+            ),
+            format!(
+                "\"fresnel\": \"{}\"",
+                self.dice.pick(&["none", "schlick", "exact"])
+            ),
+            format!("\"exposure\": {}", self.positive()),
+        ];
+        let kept: Vec<_> = fields.into_iter().filter(|_| self.dice.one_in(3)).collect();
+        kept.join(",")
+    }
+
+    fn light(&mut self) -> String {
+        let name = self.new_name();
+        let kind = self.dice.below(4);
+        let rest = match kind {
+            0 => format!(
+                "\"position\": {}, \"intensity\": {}",
+                self.vector(),
+                self.color()
+            ),
+            1 => format!(
+                "\"direction\": {}, \"intensity\": {}",
+                self.vector(),
+                self.color()
+            ),
+            2 => format!(
+                "\"position\": {}, \"look_at\": {}, \"intensity\": {}, \"cone_angle\": {}",
+                self.vector(),
+                self.vector(),
+                self.color(),
+                self.angle()
+            ),
+            _ => format!("\"object\": \"o{}\"", self.dice.below(6)),
+        };
+        let attenuation = if kind % 2 == 0 && self.dice.one_in(2) {
+            format!(
+                ", \"attenuation\": [{}, {}, {}]",
+                self.or_zero(),
+                self.or_zero(),
+                self.or_zero()
+            )
+        } else {
+            String::new()
+        };
+        let kind = ["point", "directional", "spot", "area"][kind];
+        format!("{{\"{kind}\": {{\"name\": \"{name}\", {rest}{attenuation}}}}}")
+    }
+
+    fn object(&mut self, depth: usize) -> String {
+        if depth < 40 && self.dice.one_in(if depth == 0 { 8 } else { 3 }) {
+            let inner: Vec<_> = (0..=self.dice.few(2))
+                .map(|_| self.object(depth + 1))
+                .collect();
+            let (name, placed) = (self.new_name(), self.placed());
+            return format!(
+                "{{\"group\": {{\"name\": \"{name}\"{placed}, \"objects\": [{}]}}}}",
+                inner.join(",")
+            );
+        }
+        let rest = match self.dice.below(9) {
+            0 => format!(
+                "\"center\": {}, \"radius\": {}",
+                self.vector(),
+                self.positive()
+            ),
+            1 => format!(
+                "\"point\": {}, \"normal\": {}",
+                self.vector(),
+                self.vector()
+            ),
+            2 => format!(
+                "\"center\": {}, \"normal\": {}, \"radius\": {}",
+                self.vector(),
+                self.vector(),
+                self.positive()
+            ),
+            3 => format!(
+                "\"corners\": [{}, {}, {}]",
+                self.vector(),
+                self.vector(),
+                self.vector()
+            ),
+            4 => format!(
+                "\"corner\": {}, \"u\": {}, \"v\": {}",
+                self.vector(),
+                self.vector(),
+                self.vector()
+            ),
+            5 => format!(
+                "\"min\": [-1, {}, -2], \"max\": [{}, 2, 3]",
+                self.number(),
+                self.positive()
+            ),
+            6 => self.mesh(),
+            _ => return self.obj(),
+        };
+        let kinds = ["sphere", "plane", "disc", "triangle", "quad", "box", "mesh"];
+        let kind = kinds
+            .into_iter()
+            .find(|kind| belongs(kind, &rest))
+            .unwrap_or("sphere");
+        let material = if self.slip() == 1 {
+            self.name()
+        } else {
+            self.dice.pick(&["a", "b", "c"]).to_string()
+        };
+        let (name, placed) = (self.new_name(), self.placed());
+        format!(
+            "{{\"{kind}\": {{\"name\": \"{name}\", \"material\": \"{material}\"{placed}, {rest}}}}}"
+        )
+    }
+
+    fn obj(&mut self) -> String {
+        let file = if self.dice.one_in(self.hard) {
+            self.name()
+        } else {
+            "m.obj".to_string()
+        };
+        let material = if self.dice.one_in(2) {
+            ", \"material\": \"a\""
+        } else {
+            ""
+        };
+        let (name, placed) = (self.new_name(), self.placed());
+        format!("{{\"obj\": {{\"name\": \"{name}\"{material}{placed}, \"file\": \"{file}\"}}}}")
+    }
+
+    fn mesh(&mut self) -> String {
+        let count = 3 + self.dice.few(30);
+        let vertices: Vec<_> = (0..count).map(|_| self.vector()).collect();
+        let triangles: Vec<_> = (0..self.dice.few(60))
+            .map(|_| {
+                let most = count + self.slip();
+                let corner = |d: &mut Self| d.dice.below(most);
+                format!("[{}, {}, {}]", corner(self), corner(self), corner(self))
+            })
+            .collect();
+        let mut mesh = format!(
+            "\"vertices\": [{}], \"triangles\": [{}]",
+            vertices.join(","),
+            triangles.join(",")
+        );
+        if self.dice.one_in(3) {
+            let normals: Vec<_> = (0..count - self.slip()).map(|_| self.vector()).collect();
+            mesh += &format!(", \"normals\": [{}]", normals.join(","));
+        }
+        if self.dice.one_in(3) {
+            let uvs: Vec<_> = (0..count)
+                .map(|_| format!("[{}, {}]", self.number(), self.number()))
+                .collect();
+            mesh += &format!(", \"uvs\": [{}]", uvs.join(","));
+        }
+        mesh
+    }
+
+    /// The transform of an object, with the comma before it; mostly none.
+    fn placed(&mut self) -> String {
+        if !self.dice.one_in(4) {
+            return String::new();
+        }
+        let steps: Vec<_> = (0..self.dice.few(6))
+            .map(|_| match self.dice.below(4) {
+                0 => format!("{{\"translate\": {}}}", self.vector()),
+                1 => format!(
+                    "{{\"rotate\": {{\"axis\": {}, \"degrees\": {}}}}}",
+                    self.vector(),
+                    self.number()
+                ),
+                2 if self.dice.one_in(2) => format!("{{\"scale\": {}}}", self.number()),
+                2 => format!("{{\"scale\": {}}}", self.vector()),
+                _ => {
+                    let row = |d: &mut Self| {
+                        format!(
+                            "[{}, {}, {}, {}]",
+                            d.number(),
+                            d.number(),
+                            d.number(),
+                            d.number()
+                        )
+                    };
+                    format!(
+                        "{{\"matrix\": [{}, {}, {}]}}",
+                        row(self),
+                        row(self),
+                        row(self)
+                    )
+                }
+            })
+            .collect();
+        format!(", \"transform\": [{}]", steps.join(","))
+    }
+
+    fn name(&mut self) -> String {
+        self.dice.pick(&NAMES).to_string()
+    }
+
+    /// A name that nothing has yet, unless something is wrong.
+    fn new_name(&mut self) -> String {
+        if self.slip() == 1 {
+            return self.name();
+        }
+        self.names += 1;
+        format!("o{}", self.names - 1)
+    }
+}
+
+/// True for the kind of object that has these fields.
+fn belongs(kind: &str, fields: &str) -> bool {
+    match kind {
+        "disc" => fields.contains("normal") && fields.contains("radius"),
+        "sphere" => fields.contains("radius") && !fields.contains("normal"),
+        "plane" => fields.starts_with("\"point\""),
+        "triangle" => fields.contains("\"corners\""),
+        "quad" => fields.contains("\"corner\""),
+        "box" => fields.contains("\"min\""),
+        _ => fields.contains("\"vertices\""),
+    }
+}
+
+fn joined(fields: &[String]) -> String {
+    let there: Vec<_> = fields
+        .iter()
+        .filter(|f| !f.is_empty())
+        .map(String::as_str)
+        .collect();
+    there.join(", ")
+}

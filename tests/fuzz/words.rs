@@ -1,0 +1,73 @@
+//! Numbers and names that readers stumble over.
+
+/// Numbers that are hard for somebody but allowed in many places.
+pub const HARD: [&str; 22] = [
+    "0",
+    "-0.0",
+    "1e-320",
+    "5e-324",
+    "-5e-324",
+    "1e-200",
+    "1e-12",
+    "1e-9",
+    "-1e-9",
+    "1e6",
+    "-1e6",
+    "1e12",
+    "-1e12",
+    "999999999999.9",
+    "0.1",
+    "1",
+    "1.0000000000000002",
+    "0.9999999999999999",
+    "2.2250738585072014e-308",
+    "100",
+    "0.01",
+    "1E+2",
+];
+
+/// Numbers that are allowed hardly anywhere, or are none.
+pub const WRONG: [&str; 24] = [
+    "1e308",
+    "-1e308",
+    "1e309",
+    "-1e999",
+    "1e40",
+    "4294967295",
+    "4294967296",
+    "-1",
+    "18446744073709551615",
+    "18446744073709551616",
+    "1000000000000.1",
+    "NaN",
+    "Infinity",
+    ".5",
+    "+1",
+    "01",
+    "1.",
+    "0x10",
+    "1e",
+    "null",
+    "true",
+    "\"1\"",
+    "[]",
+    "1,5",
+];
+
+/// Names: of files that are there or not, or not allowed; of materials and objects, and others.
+pub const NAMES: [&str; 14] = [
+    "a",
+    "b",
+    "m.obj",
+    "x.mtl",
+    "scene.json",
+    "../m.obj",
+    "/etc/passwd",
+    "./m.obj",
+    "",
+    " ",
+    "\\u0000",
+    "\\u001b[2J",
+    "ä/ö",
+    "https://example.org/a.obj",
+];
