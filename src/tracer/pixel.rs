@@ -135,7 +135,8 @@ impl Sampled {
         foreseen: Option<Foreseen>,
         probe: &mut P,
     ) {
-        let mut tracer = Tracer::new(world, settings, probe).continuing(self.pixel.rays, self.pixel.spent);
+        let mut tracer =
+            Tracer::new(world, settings, probe).continuing(self.pixel.rays, self.pixel.spent);
         let brought = tracer.eye(place.asker, ray, foreseen);
         (self.pixel.rays, self.pixel.spent) = (tracer.rays, tracer.spent);
         self.pixel.cut |= tracer.cut;

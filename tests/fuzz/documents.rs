@@ -224,7 +224,7 @@ impl Document<'_> {
             ),
             _ => format!("\"object\": \"o{}\"", self.dice.below(6)),
         };
-        let attenuation = if kind % 2 == 0 && self.dice.one_in(2) {
+        let attenuation = if kind.is_multiple_of(2) && self.dice.one_in(2) {
             format!(
                 ", \"attenuation\": [{}, {}, {}]",
                 self.or_zero(),

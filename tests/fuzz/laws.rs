@@ -61,7 +61,7 @@ pub fn catch_panics() {
         std::panic::set_hook(Box::new(move |info| {
             CAUGHT.with(|caught| match caught.try_borrow_mut() {
                 Ok(mut place) if place.is_some() => {
-                    *place = Some(info.to_string().replace('\n', " "))
+                    *place = Some(info.to_string().replace('\n', " "));
                 }
                 _ => usual(info),
             });

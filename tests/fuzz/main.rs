@@ -2,6 +2,7 @@
 
 #![expect(
     clippy::format_collect,
+    clippy::format_push_string,
     reason = "texts are made line by line, as they read"
 )]
 
