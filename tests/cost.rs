@@ -106,7 +106,7 @@ fn slopes_and_the_front_are_those_of_theory() {
         "100",
     ]);
     let all = document["sweeps"].as_array().expect("a list");
-    assert_eq!(all.len(), 4, "only what was asked for");
+    assert_eq!(all.len(), 5, "only what was asked for");
     let slope = |way: &str| {
         let sweep = sweep(&document, &format!("light samples, {way}"));
         sweep["slope_over_samples"].as_f64().expect("a slope")
@@ -218,7 +218,7 @@ fn tables_lines_and_a_plot_are_written() {
     for part in [
         "slope of log error, jittered",
         "again: raytree cost triangle --size 16x12",
-        "  b  pixel samples, jittered",
+        "  c  pixel samples, jittered",
     ] {
         assert!(text.contains(part), "no {part} in\n{text}");
     }
@@ -234,7 +234,7 @@ fn tables_lines_and_a_plot_are_written() {
     assert!(tables.all(|l| l.chars().count() <= 80), "{text}");
     let svg = std::fs::read_to_string(&plot).expect("a picture");
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
-    assert_eq!(svg.matches("<circle").count(), 8, "one point a setting");
+    assert_eq!(svg.matches("<circle").count(), 20, "one point a setting");
     let csv = cost(&[&args[..], &["--csv"]].concat()).stdout;
     let csv = String::from_utf8(csv).expect("UTF-8");
     let columns: Vec<usize> = csv.lines().map(|line| line.split(',').count()).collect();

@@ -51,7 +51,7 @@ pub struct SceneFile {
     pub ambient: Rgb,
     /// Materials by name.
     #[serde(default, deserialize_with = "parse::map_without_duplicates")]
-    pub materials: BTreeMap<String, MaterialFile>,
+    pub materials: BTreeMap<String, Box<MaterialFile>>,
     /// Lights.
     #[serde(default)]
     pub lights: Vec<LightFile>,

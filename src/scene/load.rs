@@ -20,7 +20,7 @@ pub fn load(spec: &str) -> Result<Scene, SceneError> {
     if let Some(text) = builtin::scene(spec) {
         let mut files = Files::embedded();
         files.take(text.as_bytes());
-        return resolve(&parse(text, spec)?, spec, files);
+        return resolve(parse(text, spec)?, spec, files);
     }
     if let Some(scene) = generated::load(spec) {
         return scene;
@@ -47,7 +47,7 @@ fn read(spec: &str, mut files: Files) -> Result<Scene, SceneError> {
         let text = files.open(path).map_err(|p| p.in_file(spec))?;
         let mut file = parse(&text, spec)?;
         file.name.get_or_insert_with(|| stem.to_string());
-        return resolve(&file, spec, files);
+        return resolve(file, spec, files);
     }
     if ends_in(path, "obj") {
         return model(path, spec, stem, files);
@@ -113,7 +113,7 @@ fn model(path: &Path, spec: &str, stem: &str, files: Files) -> Result<Scene, Sce
         settings: SettingsFile::default(),
     };
     // The user has no scene file whose fields could be named.
-    let mut scene = resolve(&file, spec, files).map_err(|error| SceneError {
+    let mut scene = resolve(file, spec, files).map_err(|error| SceneError {
         field: String::new(),
         ..error
     })?;

@@ -27,7 +27,7 @@ use crate::shading::material::Checker;
 use checks::{color, direction, number, point};
 
 /// Makes a scene of a scene file. `label` is the file's name in messages, `files` reads the files that it names.
-pub fn resolve(file: &SceneFile, label: &str, files: Files) -> Result<Scene, SceneError> {
+pub fn resolve(mut file: SceneFile, label: &str, files: Files) -> Result<Scene, SceneError> {
     let place = Place::root(label);
     let camera = camera(&file.camera, &place.key("camera"))?;
     let mut builder = Builder {
@@ -51,10 +51,11 @@ pub fn resolve(file: &SceneFile, label: &str, files: Files) -> Result<Scene, Sce
         warnings: Warnings::default(),
     };
     checks::name(&builder.scene.name, &place.key("name"))?;
-    for (name, material) in &file.materials {
-        let place = place.key("materials").key(name);
-        checks::name(name, &place)?;
-        builder.add_material(self::material(name, material, &place)?);
+    // Each is given back as soon as it is read: a file of nothing but materials is kept once, not twice.
+    for (name, material) in std::mem::take(&mut file.materials) {
+        let place = place.key("materials").key(&name);
+        checks::name(&name, &place)?;
+        builder.add_material(self::material(&name, &material, &place)?);
     }
     builder.objects(&file.objects, &place.key("objects"))?;
     builder.lights(&file.lights, &place.key("lights"))?;

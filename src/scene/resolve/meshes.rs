@@ -42,12 +42,12 @@ impl Builder {
             corners: t.map(|i| points[i as usize]),
         };
         let count = triangles.len();
-        let flat: Vec<usize> = (0..count)
+        let flat: Vec<u32> = (0..count as u32)
             .into_par_iter()
-            .filter(|i| place(&triangles[*i]).normal().is_none())
+            .filter(|i| place(&triangles[*i as usize]).normal().is_none())
             .collect();
         if let Some(first) = flat.first() {
-            let which = match lines.get(*first) {
+            let which = match lines.get(*first as usize) {
                 Some(line) => format!("the first is on line {line}"),
                 None => format!("the first is number {first}"),
             };
@@ -73,7 +73,7 @@ impl Builder {
 }
 
 /// Takes the elements with these numbers, which ascend, out of a list.
-fn leave_out<T>(numbers: &[usize], list: &mut Vec<T>) {
+fn leave_out<T>(numbers: &[u32], list: &mut Vec<T>) {
     let (mut left, mut number) = (numbers.iter().peekable(), 0);
     list.retain(|_| {
         let out = left.next_if_eq(&&number).is_some();

@@ -1,0 +1,56 @@
+//! Every instruction set does the same.
+
+use super::*;
+
+/// All operations on numbers of every kind.
+struct Compare;
+
+impl Task for Compare {
+    type Output = Vec<u32>;
+
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) -> Vec<u32> {
+        let odd = [
+            0.0,
+            -0.0,
+            f32::NAN,
+            1.0,
+            -1.0,
+            f32::INFINITY,
+            f32::MIN,
+            1e-45,
+        ];
+        let one = |k: usize| -> [f32; 16] { std::array::from_fn(|i| odd[(i * k + i / 8) % 8]) };
+        let (a, b) = (one(1), one(3));
+        let wide: [f64; 8] = std::array::from_fn(|i| f64::from(odd[i]));
+        let mut out: Vec<u32> = [level.min16(&a, &b), level.max16(&a, &b)]
+            .as_flattened()
+            .iter()
+            .map(|x| x.to_bits())
+            .collect();
+        let plain: [f32; 16] = std::array::from_fn(|i| i as f32);
+        let products = level.multiply_subtract16(3.0, &plain, &[1.0; 16]);
+        out.extend(products.map(f32::to_bits));
+        out.extend([
+            level.le8(&a.as_chunks().0[0], &b.as_chunks().0[0]),
+            level.le16(&a, &b),
+            level.le4(&a.as_chunks().0[0], &b.as_chunks().0[0]),
+            level.positive8(&wide),
+            level.less8(&wide, &std::array::from_fn(|i| wide[7 - i])),
+        ]);
+        out
+    }
+}
+
+#[test]
+fn every_instruction_set_compares_alike() {
+    let expected = Isa(Set::Portable).run(Compare);
+    assert_eq!(
+        expected[48 + 3],
+        0b1010_1011,
+        "0, -0, 1, infinity and the smallest"
+    );
+    for isa in Isa::all() {
+        assert_eq!(isa.run(Compare), expected, "{isa:?}");
+    }
+}
