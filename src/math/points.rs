@@ -93,17 +93,13 @@ impl Sampler {
             Self::Random => chance(),
             // The cells come in an order of chance, so that any part of the run is spread over the whole square.
             Self::Stratified => in_cell(shuffled(index, count, key), count, chance()),
-            Self::Sobol => sobol(key, index, [0, 1]),
+            Self::Sobol => {
+                let scramble = mix(key ^ u64::from(index / SOBOL_POINTS)) as u32;
+                let index = index % SOBOL_POINTS;
+                [0, 1].map(|axis| f64::from(sobol_burley::sample(index, axis, scramble)))
+            }
         }
     }
-}
-
-/// Point number `index` of the sequence that is scrambled by `key`, seen along two of its axes: points with the same key
-/// and number but other axes are evenly spread together.
-pub fn sobol(key: u64, index: u32, axes: [u32; 2]) -> [f64; 2] {
-    let scramble = mix(key ^ u64::from(index / SOBOL_POINTS)) as u32;
-    let index = index % SOBOL_POINTS;
-    axes.map(|axis| f64::from(sobol_burley::sample(index, axis, scramble)))
 }
 
 /// The place (dx, dy) in cell number `cell` of the squarest grid of `count` cells.

@@ -1,9 +1,8 @@
 //! The samples of a pixel: where each lies on the film, who asks for it, and how much it counts.
 
 use super::lights::Asker;
-use crate::math::Sampler;
-use crate::math::points::{Run, sobol};
-use crate::math::sampler::{Dimension, film_run, light_run};
+use crate::math::points::Run;
+use crate::math::sampler::{Dimension, film_run};
 use crate::scene::{Sampling, Settings};
 
 /// Where the paths of a pilot's samples start to be numbered: far from those that count, so that they share no random
@@ -29,16 +28,7 @@ pub fn place(settings: &Settings, pixel: (u32, u32), index: u32) -> Place {
     } else {
         (Dimension::Film, index - pilot, 0)
     };
-    let asker = Asker {
-        path,
-        ..Asker::eye(pixel, index)
-    };
-    let [u, v] = if goes_with_lights(settings) {
-        // The points on the first light lie along the first two axes.
-        sobol(light_run(settings.seed, pixel, path, 0), index, [2, 3])
-    } else {
-        point(settings, pixel, dimension, index)
-    };
+    let [u, v] = point(settings, pixel, dimension, index);
     let (filter, radius) = (settings.filter, settings.filter_radius);
     let (x, y) = (filter.place(u), filter.place(v));
     let sign = if filter.has_negative_lobes() {
@@ -52,16 +42,11 @@ pub fn place(settings: &Settings, pixel: (u32, u32), index: u32) -> Place {
             f64::from(pixel.1) + 0.5 + radius * y,
         ],
         sign,
-        asker,
+        asker: Asker {
+            path,
+            ..Asker::eye(pixel, index)
+        },
     }
-}
-
-/// True if pixel and light points are one sequence of four dimensions. That is better the more samples there are, if
-/// each has one shadow ray: then the error of a penumbra is 0.9 to 1.0 times that of two sequences with 16 samples, and 0.8
-/// with 64. With more shadow rays a hit the two have not the same numbers of points, and it is no better.
-fn goes_with_lights(settings: &Settings) -> bool {
-    let both = settings.sampling == Sampling::Sobol && settings.sampler == Sampler::Sobol;
-    both && settings.light_samples == 1
 }
 
 /// A point in [0, 1)^2. Sobol's sequence goes on from set to set; of the others each set has points of its own.
@@ -211,35 +196,6 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn with_one_shadow_ray_pixel_and_light_points_complete_each_other() {
-        // exp(x + y + u - v) over places (x, y) and points (u, v) on a light. Only the points on the first light are of
-        // one sequence with the places.
-        let settings = Settings {
-            samples: 64,
-            sampling: Sampling::Sobol,
-            light_samples: 1,
-            ..Settings::default()
-        };
-        let e = std::f64::consts::E;
-        let truth = (e - 1.0) * (e - 1.0) * (e - 1.0) * (1.0 - 1.0 / e);
-        let [together, apart] = [0, 1].map(|light| {
-            let squares = (0..200).map(|x| {
-                let sum: f64 = (0..64)
-                    .map(|i| {
-                        let place = place(&settings, (x, 0), i);
-                        let [u, v] = place.asker.point(&settings, light, 0);
-                        let [fx, fy] = place.film;
-                        libm::exp(fx - f64::from(x) + fy + u - v)
-                    })
-                    .sum();
-                (sum / 64.0 - truth).powi(2)
-            });
-            (squares.sum::<f64>() / 200.0).sqrt()
-        });
-        assert!(together < 0.4 * apart, "{together} beside {apart}");
     }
 
     #[test]
