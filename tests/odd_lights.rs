@@ -1,13 +1,14 @@
-//! Lights that are hardly there: without an area, seen from their edge, at the place that they light.
+//! Lights that are hardly there: without an area, seen from their edge, at or through the place that they light.
 
 #[path = "common/floor.rs"]
 mod floor;
 
 use std::f64::consts::PI;
 
-use floor::{LAMP, floor, irradiance, load, runs, settings};
-use raytree::math::{LightSampling, Sampler};
-use raytree::scene::World;
+use floor::{LAMP, floor, irradiance, load, polygon, runs, settings};
+use raytree::math::{DVec3, LightSampling, Sampler};
+use raytree::scene::{Settings, World};
+use raytree::trace::{View, trace_pixel};
 
 /// Every way of sampling, with its irradiance at one place.
 fn ways(world: &World) -> impl Iterator<Item = (Sampler, LightSampling, f64)> {
@@ -17,6 +18,17 @@ fn ways(world: &World) -> impl Iterator<Item = (Sampler, LightSampling, f64)> {
             (sampler, by, got)
         })
     })
+}
+
+/// How many shadow rays from the one pixel meet something.
+fn blocked(world: &World, settings: &Settings) -> u32 {
+    let trace = trace_pixel(world, settings, (0, 0), false);
+    let view = View {
+        world,
+        settings,
+        trace: &trace,
+    };
+    view.bundles(0).iter().map(|bundle| bundle.blocked).sum()
 }
 
 #[test]
@@ -52,6 +64,38 @@ fn a_light_seen_from_its_edge_brings_nothing() {
                 "{lamp}, {sampler:?}, {by:?}: {got}"
             );
         }
+    }
+}
+
+#[test]
+fn a_light_that_begins_at_the_lit_place_is_defined() {
+    // A wall that stands on the floor along z = 0, its foot as good as at the place itself. By what they bring, no
+    // sample can bring more than its share of the whole wall; by area, one may bring anything, but a number.
+    let wall = r#"{"quad": {"name": "lamp", "material": "lamp", "corner": [-1, 0, 0], "u": [2, 0, 0], "v": [0, 2, 0]}}"#;
+    let corners =
+        [[-1.0, 0.0], [1.0, 0.0], [1.0, 2.0], [-1.0, 2.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+    for z in [1e-9, 1e-6, 1e-3] {
+        let truth = polygon(DVec3::new(0.0, 0.0, z), &corners);
+        let world = floor([0.0, z], LAMP, wall);
+        for (sampler, by, got) in ways(&world) {
+            assert!(
+                got.is_finite() && got >= 0.0,
+                "{z}, {sampler:?}, {by:?}: {got}"
+            );
+            // Its own far corners say how well rays meet it near by: it must not stand in its own way.
+            let blocked = blocked(&world, &settings((sampler, by), 64, 5));
+            assert_eq!(blocked, 0, "{z}, {sampler:?}, {by:?}");
+            if by == LightSampling::Projected && sampler != Sampler::Grid {
+                assert!(
+                    (got - truth).abs() < 1e-6,
+                    "{z}, {sampler:?}: {got}, not {truth}"
+                );
+            }
+        }
+    }
+    // Exactly in the wall's plane there is nothing to see of it.
+    for (sampler, by, got) in ways(&floor([0.0, 0.0], LAMP, wall)) {
+        assert!(got.is_finite() && got >= 0.0, "{sampler:?}, {by:?}: {got}");
     }
 }
 

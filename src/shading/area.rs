@@ -26,6 +26,8 @@ pub struct Area {
     pub area: f64,
     /// Its form.
     pub form: Form,
+    /// Its largest coordinate: where a ray meets it is known to a part of this.
+    reach: f64,
 }
 
 /// What a point can be chosen on.
@@ -53,9 +55,9 @@ struct Point {
 impl Point {
     /// The unit direction to it from `from`, and how far a shadow ray has to go. The ray's end must lie before the
     /// light, or the light would stand in its own way: it is as far off the surface as the next ray's origin would be,
-    /// for the errors at both ends of the ray.
-    fn way_from(&self, from: DVec3) -> Option<(DVec3, f64)> {
-        let reach = self.at.abs().max(from.abs()).max_element();
+    /// for the errors at both ends of the ray, and of the light's own corners, which may be far from both.
+    fn way_from(&self, from: DVec3, reach: f64) -> Option<(DVec3, f64)> {
+        let reach = self.at.abs().max(from.abs()).max_element().max(reach);
         let error = DVec3::splat(gamma(128) * reach);
         let end = offset_origin(self.at, error, self.normal, from - self.at);
         let to_light = end - from;
@@ -81,10 +83,17 @@ impl Area {
             }
             _ => mesh(shapes)?,
         };
+        let reach = shapes
+            .iter()
+            .filter_map(Shape::bounds)
+            .fold(0.0, |reach: f64, bounds| {
+                reach.max(bounds.min.abs().max(bounds.max.abs()).max_element())
+            });
         (area > 0.0 && area.is_finite()).then_some(Self {
             radiance,
             area,
             form,
+            reach,
         })
     }
 
@@ -93,7 +102,7 @@ impl Area {
     /// its edge there.
     pub fn sample(&self, point: DVec3, u: [f64; 2]) -> Option<Illumination> {
         let chosen = self.point(point, u)?;
-        let (direction, distance) = chosen.way_from(point)?;
+        let (direction, distance) = chosen.way_from(point, self.reach)?;
         let cos_angle = chosen.normal.dot(direction).abs();
         let squared = (point - chosen.at).length_squared();
         let attenuation = chosen.area * cos_angle / (PI * squared);
@@ -146,7 +155,7 @@ impl Area {
             normal: across,
             area: self.area,
         };
-        let (direction, distance) = chosen.way_from(point)?;
+        let (direction, distance) = chosen.way_from(point, self.reach)?;
         let n_dot_l = normal.dot(direction);
         let attenuation = seen.area / (PI * n_dot_l);
         (t > 0.0 && n_dot_l > 0.0 && attenuation.is_finite()).then_some(Illumination {
