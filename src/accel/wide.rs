@@ -1,7 +1,7 @@
 //! A tree of boxes, eight to a node, for speed: single precision proposes, double precision decides.
 //!
 //! The boxes are in single precision and are tested eight at once, or against sixteen rays at once. They are only
-//! asked what may be left out, and answer within a proven bound (see [`super::local`]). What is left is tested in double
+//! asked what may be left out, and answer within a proven bound (see `accel/local.rs`). What is left is tested in double
 //! precision with the operations of the shapes' own tests, so the answers are those of the list, bit for bit.
 //!
 //! Source: Ernst and Greiner 2008, "Multi bounding volume hierarchies"; Wald, Benthin and Boulos 2008, "Getting rid
