@@ -3,16 +3,17 @@
 //! radiance = emission + Ka Ia + sum over lights (Kd (N.L) + Ks (R.V)^n) I + Wr radiance(R) + Wt radiance(T)
 
 mod arrive;
+mod light;
 mod split;
 
 use super::boundary::Change;
 use super::foresight::Foreseen;
-use super::lights::{self, Asker, Bundle, Question};
+use super::lights::{Asker, Bundle};
 use crate::geometry::Hit;
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
 use crate::scene::{Company, Effect, Room, Settings, World};
-use crate::shading::{Entered, Interaction, Material, Projected, optics, phong};
+use crate::shading::{Entered, Interaction, optics, phong};
 use arrive::Arrival;
 use split::Split;
 
@@ -52,9 +53,6 @@ struct Path<'f> {
     /// Answers that were found ahead, for silent eye rays.
     foreseen: Option<Foreseen<'f>>,
 }
-
-/// A place, its material, and how it sees the light in question.
-type Surface<'s> = (&'s Interaction, &'s Material, Option<&'s Projected>);
 
 impl<'a, P: Probe> Tracer<'a, P> {
     /// A tracer that has sent no ray yet.
@@ -145,143 +143,6 @@ impl<'a, P: Probe> Tracer<'a, P> {
         self.done(sum)
     }
 
-    /// One light: a shadow ray to it, many to an area, and for each that arrives the diffuse and the specular term.
-    fn light(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, m: &Material, light: u32) {
-        let (scene, settings) = (&self.world.scene, self.settings);
-        let count = lights::samples(scene, settings, light);
-        let projected = lights::seen(scene, settings, (at, m), light);
-        let surface = (at, m, projected.as_ref());
-        if !P::LISTENS && count > 1 && self.settings.effects.has(Effect::Shadows) {
-            return self.light_in_a_bundle(sum, path, surface, light, count);
-        }
-        if count > 1 {
-            let samples = count;
-            self.probe.event(Event::Bundle { light, samples });
-        }
-        for sample in 0..count {
-            if self.no_more_light(light) {
-                break;
-            }
-            let Some(question) = self.question(path, surface, (light, sample)) else {
-                continue;
-            };
-            if !self.shadowed(path, (light, sample), &question) {
-                self.lit(sum, surface, (light, sample), &question);
-            }
-        }
-    }
-
-    /// The same with all shadow rays asked together.
-    fn light_in_a_bundle(
-        &mut self,
-        sum: &mut Rgb,
-        path: &Path,
-        surface: Surface,
-        light: u32,
-        count: u32,
-    ) {
-        let mut bundle = std::mem::take(&mut self.bundle);
-        bundle.questions.clear();
-        for sample in 0..count {
-            if self.no_more_light(light) {
-                break;
-            }
-            let question = self.question(path, surface, (light, sample));
-            bundle.questions.extend(question.map(|q| (sample, q)));
-        }
-        bundle.answer(self.world);
-        for ((sample, question), blocked) in bundle.questions.iter().zip(&bundle.blocked) {
-            if !blocked {
-                self.lit(sum, surface, (light, *sample), question);
-            }
-        }
-        self.bundle = bundle;
-    }
-
-    /// What is to be asked of a sample of a light, if anything.
-    fn question(&mut self, path: &Path, surface: Surface, light: (u32, u32)) -> Option<Question> {
-        let scene = &self.world.scene;
-        self.spent += 1;
-        match lights::question(scene, self.settings, path.asker, surface, light) {
-            Ok(question) => {
-                self.rays += u64::from(self.settings.effects.has(Effect::Shadows));
-                Some(question)
-            }
-            Err(reason) => {
-                self.probe.event(Event::Absent {
-                    kind: RayKind::Light,
-                    light: light.0,
-                    reason,
-                });
-                None
-            }
-        }
-    }
-
-    /// True, and told, if the budget allows no more questions to this light.
-    fn no_more_light(&mut self, light: u32) -> bool {
-        let out = self.out_of_rays();
-        if out {
-            self.probe.event(Event::Absent {
-                kind: RayKind::Light,
-                light,
-                reason: Absence::RayBudget,
-            });
-        }
-        out
-    }
-
-    /// Sends a shadow ray: true if anything stands before the light. Transparent things block it as well.
-    fn shadowed(&mut self, path: &Path, (light, sample): (u32, u32), question: &Question) -> bool {
-        let Question { ray, lit, .. } = question;
-        let foreseen = path.foreseen.and_then(|f| f.blocked[light as usize]);
-        if let Some(blocked) = foreseen {
-            return blocked;
-        }
-        if !self.settings.effects.has(Effect::Shadows) {
-            self.probe.event(Event::Absent {
-                kind: RayKind::Light,
-                light,
-                reason: Absence::EffectOff,
-            });
-            return false;
-        }
-        self.probe.event(Event::Ray(RaySent {
-            kind: RayKind::Light,
-            sample: sample as u16,
-            depth: path.depth + 1,
-            light,
-            medium: path.medium,
-            origin: ray.origin,
-            direction: ray.direction,
-            t_max: lit.distance,
-            weight: Rgb::WHITE,
-        }));
-        let blocker = self.world.blocker(ray, lit.distance, self.probe);
-        self.probe.event(blocker.map_or(Event::Lit, Event::Blocked));
-        self.probe.event(Event::Return {
-            radiance: Rgb::BLACK,
-        });
-        blocker.is_some()
-    }
-
-    /// What a light adds that nothing stands before.
-    fn lit(&mut self, sum: &mut Rgb, (at, m, _): Surface, light: (u32, u32), question: &Question) {
-        let Question { lit, n_dot_l, .. } = question;
-        let kd = m.diffuse_at(at.uv);
-        let diffuse = match lit.irradiance {
-            Some(irradiance) => kd * irradiance,
-            None => phong::diffuse(kd, lit.intensity, *n_dot_l),
-        };
-        self.add(sum, Term::Diffuse, light, diffuse);
-        if !m.specular.is_black() && self.settings.effects.has(Effect::Highlights) {
-            let r = optics::reflect(-lit.direction, at.normal);
-            let r_dot_v = r.dot(at.to_viewer);
-            let specular = phong::specular(m.specular, lit.intensity, r_dot_v, m.shininess);
-            self.add(sum, Term::Specular, light, specular);
-        }
-    }
-
     /// The reflected ray, if there is one: adds Wr radiance(R).
     fn reflect(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, split: &Split) {
         let direction = optics::reflect(-at.to_viewer, at.normal);
@@ -303,8 +164,8 @@ impl<'a, P: Probe> Tracer<'a, P> {
     fn transmit(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, split: &Split) {
         let way = match split.refracted {
             Err(k) if k < 0.0 => Err(Absence::TotalInternalReflection { k }),
-            _ if split.transmitted.is_black() => Err(Absence::NoTransmission),
             Err(_) => Err(Absence::NoTransmission),
+            Ok(_) if split.transmitted.is_black() => Err(Absence::NoTransmission),
             Ok(_) if !self.settings.effects.has(Effect::Refraction) => Err(Absence::EffectOff),
             Ok(direction) => {
                 // Through a surface means to the other side of it, by the geometric normal.
