@@ -1,13 +1,15 @@
 //! Every accelerator answers as the list does: same primitive, same bits of t and of the weights.
 
+#[path = "../common/mod.rs"]
 mod common;
+mod scenes;
 
-use glam::{DAffine3, DQuat};
 use proptest::prelude::*;
 use raytree::accel::{Accel, AccelKind, AccelStats};
-use raytree::geometry::{Aabb, Cuboid, Disc, Hit, Placed, Plane, Shape, Sphere, Triangle};
-use raytree::math::{DVec3, Interval, Ray, Transform};
+use raytree::geometry::{Hit, Plane, Shape};
+use raytree::math::{DVec3, Interval, Ray};
 use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
+use scenes::{Frame, Random, STYLES, fan, ray, scene, triangle};
 
 const TREES: [AccelKind; 10] = [
     AccelKind::Bsp,
@@ -21,10 +23,6 @@ const TREES: [AccelKind; 10] = [
     AccelKind::BvhSpheres,
     AccelKind::Wide,
 ];
-
-fn triangle(corners: [DVec3; 3]) -> Shape {
-    Shape::Triangle(Triangle { corners })
-}
 
 /// A hit with its numbers as bits, so that equal means identical.
 fn bits(hit: Option<Hit>) -> Option<(u32, u64, [u64; 3])> {
@@ -64,208 +62,6 @@ fn agree(shapes: &[Shape], rays: &[(Ray, Interval)]) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-/// Random numbers that are the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In [-1, 1).
-    fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.bits() % n as u64) as usize
-    }
-
-    fn point(&mut self) -> DVec3 {
-        DVec3::new(self.unit(), self.unit(), self.unit())
-    }
-
-    /// A point on a coarse grid, so that coordinates, edges and planes coincide.
-    fn grid_point(&mut self) -> DVec3 {
-        (self.point() * 3.0).round() / 2.0
-    }
-
-    fn direction(&mut self) -> DVec3 {
-        self.point().normalize_or(DVec3::X)
-    }
-}
-
-/// The kinds of scene that the property ranges over.
-#[derive(Clone, Copy, Debug)]
-enum Style {
-    Soup,
-    Grid,
-    Slivers,
-    Strip,
-    Stack,
-    Duplicates,
-    Mixed,
-}
-
-const STYLES: [Style; 7] = [
-    Style::Soup,
-    Style::Grid,
-    Style::Slivers,
-    Style::Strip,
-    Style::Stack,
-    Style::Duplicates,
-    Style::Mixed,
-];
-
-/// Where a scene's points go in the world.
-#[derive(Clone, Copy, Debug)]
-struct Frame {
-    scale: f64,
-    offset: DVec3,
-}
-
-impl Frame {
-    fn place(&self, p: DVec3) -> DVec3 {
-        self.offset + self.scale * p
-    }
-
-    fn triangle(&self, corners: [DVec3; 3]) -> Shape {
-        triangle(corners.map(|p| self.place(p)))
-    }
-}
-
-fn scene(style: Style, count: usize, frame: Frame, random: &mut Random) -> Vec<Shape> {
-    let mut strip = [random.point(), random.point()];
-    let normal = random.direction();
-    (0..count)
-        .map(|i| match style {
-            Style::Soup => frame.triangle([random.point(), random.point(), random.point()]),
-            Style::Grid => frame.triangle([
-                random.grid_point(),
-                random.grid_point(),
-                random.grid_point(),
-            ]),
-            Style::Slivers => {
-                let (a, along) = (random.point(), random.point());
-                let thin = random.point() * [1e-3, 1e-9, 1e-15, 0.0][random.below(4)];
-                frame.triangle([a, a + along, a + 0.5 * along + thin])
-            }
-            Style::Strip => {
-                let [a, b] = strip;
-                let c = (0.5 * (a + b) + 0.3 * random.point()).clamp(-DVec3::ONE, DVec3::ONE);
-                strip = [b, c];
-                frame.triangle([a, b, c])
-            }
-            Style::Stack => {
-                // A few parallel planes, turned anyhow, with many triangles on each.
-                let (u, v) = normal.any_orthonormal_pair();
-                let height = random.below(3) as f64 * 0.25;
-                let mut on = || height * normal + random.unit() * u + random.unit() * v;
-                frame.triangle([on(), on(), on()])
-            }
-            Style::Duplicates => {
-                let turn = i % 3;
-                let corners = [DVec3::X, DVec3::Y, DVec3::new(0.1, 0.2, (i / 3 % 2) as f64)];
-                frame.triangle([0, 1, 2].map(|k| corners[(k + turn) % 3]))
-            }
-            Style::Mixed => mixed(i, frame, random),
-        })
-        .collect()
-}
-
-/// A sphere, a box, either of them turned and stretched, a disc, a plane or a triangle.
-fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
-    let center = frame.place(random.grid_point());
-    let size = frame.scale * (0.05 + 0.4 * random.unit().abs());
-    let stretch = DVec3::new(1.0, 1.0 + random.unit().abs() * 4.0, 0.5);
-    let local = if random.below(2) == 0 {
-        Shape::Sphere(Sphere {
-            center: DVec3::ZERO,
-            radius: 1.0,
-        })
-    } else {
-        Shape::Cuboid(Cuboid {
-            bounds: Aabb::around([-DVec3::ONE, DVec3::ONE]),
-        })
-    };
-    match i % 6 {
-        5 => Shape::Disc(Disc::new(center, random.direction(), size)),
-        0 => Shape::Sphere(Sphere {
-            center,
-            radius: size,
-        }),
-        1 => Shape::Cuboid(Cuboid {
-            bounds: Aabb::around([center, center + size * stretch]),
-        }),
-        2 => {
-            let turn = DQuat::from_axis_angle(random.direction(), 3.0 * random.unit());
-            let to_world = DAffine3::from_scale_rotation_translation(size * stretch, turn, center);
-            let transform = Transform::new(to_world).expect("it can be undone");
-            Shape::Placed(Box::new(Placed {
-                shape: local,
-                transform,
-            }))
-        }
-        3 if i == 3 => Shape::Plane(Plane::new(center, random.direction())),
-        _ => frame.triangle([random.point(), random.point(), random.grid_point()]),
-    }
-}
-
-/// A ray that is likely to meet a special case of the scene: its corners, edges, surfaces and planes.
-fn ray(shapes: &[Shape], frame: Frame, random: &mut Random) -> (Ray, Interval) {
-    let on = |random: &mut Random| {
-        let shape = &shapes[random.below(shapes.len())];
-        let Shape::Triangle(Triangle { corners: [a, b, c] }) = *shape else {
-            return frame.place(random.grid_point());
-        };
-        let (u, v) = (random.unit().abs(), random.unit().abs());
-        match random.below(4) {
-            0 => a,
-            1 => a + u * (b - a),
-            2 => a + 0.5 * (b - a),
-            _ => a + u * (b - a) + v * (1.0 - u) * (c - a),
-        }
-    };
-    let origin = match random.below(4) {
-        0 => frame.place(3.0 * random.point()),
-        1 => on(random),
-        2 => frame.place(random.grid_point()),
-        _ => frame.place(random.point()),
-    };
-    let axis = DVec3::AXES[random.below(3)];
-    let direction = match random.below(6) {
-        0 => random.direction(),
-        1 => axis,
-        2 => -axis,
-        // Nearly along an axis.
-        3 => (axis + 1e-16 * random.point()).normalize(),
-        _ => (on(random) - origin).normalize_or(axis),
-    };
-    let interval = match random.below(4) {
-        0 => Interval::before(frame.scale * random.unit().abs()),
-        1 => Interval::new(0.3 * frame.scale, 1.5 * frame.scale),
-        _ => Interval::FORWARD,
-    };
-    (Ray::new(origin, direction), interval)
-}
-
-/// Sixteen rays from one place to others close to each other: along edges and planes of the scene, as one bundle.
-fn fan(shapes: &[Shape], frame: Frame, random: &mut Random) -> Vec<(Ray, Interval)> {
-    let (middle, interval) = ray(shapes, frame, random);
-    let size = [0.1, 1e-3, 1e-9][random.below(3)];
-    let (u, v) = middle.direction.any_orthonormal_pair();
-    (0..16)
-        .map(|i| {
-            let aside = size * (f64::from(i % 4) * u + f64::from(i / 4) * v);
-            let direction = (middle.direction + aside).normalize();
-            (Ray::new(middle.origin, direction), interval)
-        })
-        .collect()
 }
 
 // 60 rays through each scene, 32 of them in two bundles. 10^7 rays are `RAYTREE_CASES=170000 cargo test --release --test accel trees_answer`.
