@@ -64,7 +64,17 @@ impl Aabb {
         2.0 * (s.x * s.y + s.y * s.z + s.z * s.x)
     }
 
-    /// The eight corners.
+    /// The sides as loops of [`Aabb::corners`], counter-clockwise as seen from outside: low x, high x, low y, and so on.
+    pub const SIDES: [[usize; 4]; 6] = [
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+    ];
+
+    /// The eight corners: number i has the upper bound where i has a one, x being bit 0.
     pub fn corners(self) -> [DVec3; 8] {
         std::array::from_fn(|i| {
             let pick = |axis: usize| {

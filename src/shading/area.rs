@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::light::{Illumination, MAX_ATTENUATION};
 use super::projected::Projected;
-use crate::geometry::{Disc, Shape, Sphere, Triangle};
+use crate::geometry::{Aabb, Disc, Shape, Sphere, Triangle};
 use crate::math::rounding::{gamma, offset_origin};
 use crate::math::{DVec3, Frame, Rgb};
 
@@ -284,9 +284,8 @@ fn mesh(shapes: &[Shape]) -> Option<(Form, f64)> {
         match shape.plain() {
             Shape::Triangle(triangle) => add(triangle.corners),
             Shape::Cuboid(cuboid) => {
-                // Corner i has the upper bound where i has a one: x is bit 0. Each side as a loop of corners.
                 let corners = cuboid.bounds.corners();
-                for [a, b, c, d] in SIDES {
+                for [a, b, c, d] in Aabb::SIDES {
                     add([corners[a], corners[b], corners[c]]);
                     add([corners[a], corners[c], corners[d]]);
                 }
@@ -296,13 +295,3 @@ fn mesh(shapes: &[Shape]) -> Option<(Form, f64)> {
     }
     Some((Form::Mesh(triangles), sum))
 }
-
-/// The corners of a box's sides.
-const SIDES: [[usize; 4]; 6] = [
-    [0, 4, 6, 2],
-    [1, 3, 7, 5],
-    [0, 1, 5, 4],
-    [2, 6, 7, 3],
-    [0, 2, 3, 1],
-    [4, 5, 7, 6],
-];

@@ -27,23 +27,9 @@ struct Face {
 impl Cell {
     /// A box.
     pub fn of(bounds: &Aabb) -> Self {
-        let corner = |bits: usize| {
-            let pick = |k: usize| [bounds.min, bounds.max][bits >> k & 1][k];
-            DVec3::new(pick(0), pick(1), pick(2))
-        };
-        let faces = [
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-        ];
-        Self::new(
-            faces
-                .map(|face| Face::new(face.map(corner).to_vec()))
-                .to_vec(),
-        )
+        let corners = bounds.corners();
+        let side = |ring: [usize; 4]| Face::new(ring.map(|i| corners[i]).to_vec());
+        Self::new(Aabb::SIDES.map(side).to_vec())
     }
 
     fn new(faces: Vec<Face>) -> Self {
