@@ -100,7 +100,13 @@ impl<'a> View<'a> {
         scene.lights.get(light.0 as usize)?;
         let (asker, at) = (self.asker(node), &arrival.at);
         let projected = seen(scene, self.settings, (at, arrival.material), light.0);
-        let seen = illumination(scene, self.settings, asker, (at, projected.as_ref()), light)?;
+        let seen = illumination(
+            scene,
+            self.settings,
+            asker,
+            (at, projected.as_deref()),
+            light,
+        )?;
         let r = optics::reflect(-seen.direction, arrival.at.normal);
         Some(Lighting {
             light: seen,

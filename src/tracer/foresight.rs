@@ -79,7 +79,7 @@ impl Foresight {
             let material = scene.material_of(hit.primitive);
             let asker = self.places[place].asker;
             let projected = seen(scene, settings, (&at, material), number);
-            let surface = (&at, material, projected.as_ref());
+            let surface = (&at, material, projected.as_deref());
             let asked = question(scene, settings, asker, surface, (number, 0));
             if let Ok(Question { ray, lit, .. }) = asked {
                 places.push(place);

@@ -96,7 +96,7 @@ pub fn seen(
     settings: &Settings,
     (at, m): (&Interaction, &Material),
     light: u32,
-) -> Option<Projected> {
+) -> Option<Box<Projected>> {
     let Source::Area(area) = &scene.lights[light as usize].source else {
         return None;
     };
@@ -107,7 +107,8 @@ pub fn seen(
     if !by_what_it_brings || m.diffuse_at(at.uv).is_black() {
         return None;
     }
-    area.projected(at.point, at.normal)
+    // Boxed: it is large, and nearly always none.
+    area.projected(at.point, at.normal).map(Box::new)
 }
 
 /// The light as `at` sees it; of an area, what one sample adds to the mean.

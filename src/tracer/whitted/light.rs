@@ -23,7 +23,7 @@ impl<P: Probe> Tracer<'_, P> {
         let (scene, settings) = (&self.world.scene, self.settings);
         let count = lights::samples(scene, settings, light);
         let projected = lights::seen(scene, settings, (at, m), light);
-        let surface = (at, m, projected.as_ref());
+        let surface = (at, m, projected.as_deref());
         if !P::LISTENS && count > 1 && self.settings.effects.has(Effect::Shadows) {
             return self.light_in_a_bundle(sum, path, surface, light, count);
         }
