@@ -44,7 +44,7 @@ pub struct Planes {
     outlines: Vec<Outline>,
     /// What is outside the tree and tested first, in order.
     outside: Vec<u32>,
-    isa: super::simd::Isa,
+    pub(super) isa: super::simd::Isa,
 }
 
 /// A tree, or a part of one that is being built.

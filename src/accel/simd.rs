@@ -10,6 +10,8 @@ mod x86;
 #[cfg(target_arch = "x86_64")]
 use x86::{Avx2, Avx512};
 
+use crate::probe::Probe;
+
 /// An instruction set that this machine has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Isa(Set);
@@ -95,14 +97,24 @@ pub trait Level: Copy {
 }
 
 impl Isa {
+    /// Plain loops, which round alike on every machine.
+    const PORTABLE: Self = Self(Set::Portable);
+
     /// The widest of this machine.
     pub fn best() -> Self {
-        Self::all().last().copied().unwrap_or(Self(Set::Portable))
+        Self::all().last().copied().unwrap_or(Self::PORTABLE)
+    }
+
+    /// These, unless somebody listens to the steps: a fused multiply-add rounds once where others round twice, and what is
+    /// told must have the same bits on every machine.
+    #[inline(always)]
+    pub fn unless_told<P: Probe>(self) -> Self {
+        if P::TRAVERSAL { Self::PORTABLE } else { self }
     }
 
     /// All of this machine, the widest last.
     pub fn all() -> Vec<Self> {
-        let mut all = vec![Self(Set::Portable)];
+        let mut all = vec![Self::PORTABLE];
         #[cfg(target_arch = "x86_64")]
         {
             all.extend(Avx2::found().map(|level| Self(Set::Avx2(level))));

@@ -46,7 +46,7 @@ pub struct Wide {
     /// How many children wait at most while a ray is followed.
     waiting: usize,
     depth: u32,
-    isa: Isa,
+    pub(super) isa: Isa,
 }
 
 /// Eight boxes, in the frame's space and rounded outwards.

@@ -40,7 +40,7 @@ impl Planes {
 
     #[inline]
     fn search<const ANY: bool, P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
-        self.isa.run(Search::<ANY, P> {
+        self.isa.unless_told::<P>().run(Search::<ANY, P> {
             planes: self,
             query,
             probe,

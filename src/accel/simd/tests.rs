@@ -1,6 +1,9 @@
 //! Every instruction set does the same.
 
 use super::*;
+use crate::accel::packet::tests::{Random, rays, shapes};
+use crate::accel::{Accel, AccelKind};
+use crate::probe::Event;
 
 /// All operations on numbers of every kind.
 struct Compare;
@@ -44,7 +47,7 @@ impl Task for Compare {
 
 #[test]
 fn every_instruction_set_compares_alike() {
-    let expected = Isa(Set::Portable).run(Compare);
+    let expected = Isa::PORTABLE.run(Compare);
     assert_eq!(
         expected[48 + 3],
         0b1010_1011,
@@ -52,5 +55,47 @@ fn every_instruction_set_compares_alike() {
     );
     for isa in Isa::all() {
         assert_eq!(isa.run(Compare), expected, "{isa:?}");
+    }
+}
+
+/// Writes down all that it hears; floats are written so that other bits are other words.
+#[derive(Default)]
+struct Steps(Vec<String>);
+
+impl Probe for Steps {
+    const TRAVERSAL: bool = true;
+
+    fn event(&mut self, event: Event) {
+        self.0.push(format!("{event:?}"));
+    }
+}
+
+/// What is recorded, and what is counted, must not depend on the machine.
+#[test]
+fn every_instruction_set_takes_the_same_steps() {
+    let mut random = Random(7);
+    let shapes = shapes(&mut random);
+    let rays = rays(&shapes, &mut random);
+    for kind in [AccelKind::Wide, AccelKind::Kd, AccelKind::BspSah] {
+        let mut accel = Accel::build(kind, &shapes);
+        for (ray, interval) in rays.iter().step_by(5) {
+            let steps = |isa| {
+                match &mut accel {
+                    Accel::Wide(wide) => wide.isa = isa,
+                    Accel::Planes(planes) => planes.isa = isa,
+                    _ => panic!("{kind:?} has no instructions of its own"),
+                }
+                let mut steps = Steps::default();
+                accel.closest(&shapes, ray, *interval, &mut steps);
+                accel.any(&shapes, ray, *interval, &mut steps);
+                steps.0
+            };
+            let mut all = Isa::all().into_iter().map(steps);
+            let expected = all.next().expect("one that is portable");
+            assert!(!expected.is_empty());
+            for found in all {
+                assert_eq!(found, expected, "{kind:?}: {ray:?}");
+            }
+        }
     }
 }

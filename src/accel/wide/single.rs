@@ -15,7 +15,7 @@ const USUAL: usize = 64;
 #[inline]
 pub fn search<const ANY: bool, P: Probe>(wide: &Wide, query: &Query, probe: &mut P) -> Option<Hit> {
     let task = Search::<ANY, P> { wide, query, probe };
-    wide.isa.run(task)
+    wide.isa.unless_told::<P>().run(task)
 }
 
 struct Search<'a, const ANY: bool, P> {
