@@ -36,7 +36,7 @@ pub use flags::flags;
 pub use generated::list as generated;
 pub use load::{list, load, load_held};
 pub use sampling::{Adaptive, Pilot, Sampling};
-pub use settings::Settings;
+pub use settings::{Budget, Settings};
 pub use world::{Room, World};
 
 use crate::geometry::{Arithmetic, Hit, Shape};

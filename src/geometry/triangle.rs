@@ -62,8 +62,9 @@ impl Shear {
     /// A point in the ray's view; z is its ray parameter.
     #[inline]
     fn view(&self, p: DVec3) -> DVec3 {
-        let p = p - self.origin;
-        let [x, y, z] = self.axes.map(|axis| p[axis]);
+        let p = (p - self.origin).to_array();
+        let [x, y, z] = self.axes;
+        let (x, y, z) = (p[x], p[y], p[z]);
         DVec3::new(x - self.s.x * z, y - self.s.y * z, self.s.z * z)
     }
 }
@@ -83,13 +84,14 @@ impl Triangle {
     /// The edge functions of the ray whose view `shear` is.
     #[inline]
     pub fn edges(&self, shear: &Shear) -> Edges {
-        let [a, b, c] = self.corners.map(|p| shear.view(p));
-        let edges = [edge(b, c), edge(c, a), edge(a, b)];
-        let mut functions = edges.map(|(value, _)| value);
-        let inside = edges[0].1 == edges[1].1 && edges[1].1 == edges[2].1;
+        let [a, b, c] = self.corners;
+        let (a, b, c) = (shear.view(a), shear.view(b), shear.view(c));
+        let ((u, on_u), (v, on_v), (w, on_w)) = (edge(b, c), edge(c, a), edge(a, b));
+        let mut functions = [u, v, w];
+        let inside = on_u == on_v && on_v == on_w;
         // A sliver, or a triangle seen nearly edge-on: what is left of the products is mostly rounding, and the
         // point with these weights would not be on the ray. Compute them again, each to its last bits.
-        let area = (functions[0] + functions[1] + functions[2]).abs();
+        let area = (u + v + w).abs();
         if inside && area < CANCELLED * (products(b, c) + products(c, a) + products(a, b)) {
             functions = [precise(b, c), precise(c, a), precise(a, b)];
         }
@@ -145,8 +147,13 @@ impl Triangle {
     /// The unit normal (b - a) x (c - a) / |..|; `None` for a triangle without area.
     pub fn normal(&self) -> Option<DVec3> {
         let [a, b, c] = self.corners;
-        // Scaled first, so that the product neither overflows nor vanishes for very large and very small triangles.
         let (e, f) = (b - a, c - a);
+        let normal = e.cross(f);
+        let square = normal.length_squared();
+        if square > 1e-200 && square < 1e200 {
+            return Some(normal / square.sqrt());
+        }
+        // Scaled first, so that the product neither overflows nor vanishes for very large and very small triangles.
         let size = e.abs().max_element().max(f.abs().max_element());
         (e / size).cross(f / size).try_normalize()
     }

@@ -78,6 +78,7 @@ impl Filter {
     }
 
     /// The place of which the share `u` of the integral of |f| lies to the left, in [-1, 1], for a radius of 1.
+    #[inline]
     pub fn place(self, u: f64) -> f64 {
         // Half of it lies on each side of the middle; v is the share between the middle and the place.
         let (v, side) = ((2.0 * u - 1.0).abs(), if u < 0.5 { -1.0 } else { 1.0 });

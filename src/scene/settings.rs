@@ -84,6 +84,15 @@ impl Default for Settings {
     }
 }
 
+/// What one pixel may spend: the same for each, whatever the others need.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// Samples, at most.
+    pub samples: u32,
+    /// Rays besides the samples' eye rays.
+    pub further_rays: u64,
+}
+
 impl Settings {
     /// Effects that the scene calls for and that are left out all the same.
     pub fn left_out(&self, scene: &Scene) -> impl Iterator<Item = Effect> {
@@ -132,9 +141,14 @@ impl Settings {
         self.most_samples().min(most)
     }
 
-    /// How many rays one pixel may send besides its eye rays.
-    pub fn further_rays_per_pixel(&self) -> u64 {
-        self.rays_per_pixel() - u64::from(self.samples_afforded())
+    /// What one pixel may spend.
+    pub fn budget(&self) -> Budget {
+        let samples = self.samples_afforded();
+        let further_rays = self.rays_per_pixel() - u64::from(samples);
+        Budget {
+            samples,
+            further_rays,
+        }
     }
 
     /// How many rays one pixel may send. The same for each, whatever the others need: so that a pixel traced alone is

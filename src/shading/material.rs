@@ -56,7 +56,9 @@ impl Material {
     fn checker_at(&self, uv: DVec2) -> Option<&Checker> {
         self.checker.as_ref().filter(|c| {
             let square = (uv / c.size).floor();
-            (square.x + square.y).rem_euclid(2.0) == 1.0
+            // Every second square along a row and a column: where half the sum is no whole number.
+            let half = (square.x + square.y) / 2.0;
+            half - half.floor() == 0.5
         })
     }
 

@@ -8,7 +8,7 @@ use crate::probe::RayKind;
 use crate::scene::Object;
 use crate::shading::{Illumination, Interaction, Material, optics};
 use crate::tracer::boundary;
-use crate::tracer::lights::{Asker, illumination, seen};
+use crate::tracer::lights::{Asker, Surface, illumination, seen};
 
 /// A solid that is met again after this part of the coordinates has not really been left.
 const CLOSE: f64 = 1e-6;
@@ -99,7 +99,8 @@ impl<'a> View<'a> {
         let arrival = self.arrival(node)?;
         scene.lights.get(light.0 as usize)?;
         let (asker, at) = (self.asker(node), &arrival.at);
-        let projected = seen(scene, self.settings, (at, arrival.material), light.0);
+        let surface = Surface::new(at, arrival.material);
+        let projected = seen(scene, self.settings, &surface, light.0);
         let seen = illumination(
             scene,
             self.settings,
@@ -113,15 +114,15 @@ impl<'a> View<'a> {
             projected: projected.map(|p| p.area),
             n_dot_l: arrival.at.normal.dot(seen.direction),
             r_dot_v: r.dot(arrival.at.to_viewer),
-            kd: arrival.material.diffuse_at(arrival.at.uv),
+            kd: surface.diffuse,
         })
     }
 
     /// P, the projected solid angle of a light as the hit of a node sees it, if its samples are chosen by that.
     pub fn projected(self, node: u32, light: u32) -> Option<f64> {
         let arrival = self.arrival(node)?;
-        let surface = (&arrival.at, arrival.material);
-        seen(&self.world.scene, self.settings, surface, light).map(|polygon| polygon.area)
+        let surface = Surface::new(&arrival.at, arrival.material);
+        seen(&self.world.scene, self.settings, &surface, light).map(|polygon| polygon.area)
     }
 
     /// Who asks at the hit of a node: its pixel, its sample and its path from the eye.

@@ -5,8 +5,9 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::foresight::{Foresight, in_blocks};
-use super::pixel::{Pixel, Sampled, pixel};
+use super::pixel::{Pixel, Sampled, sampled};
 use super::stack::on_threads;
+use super::whitted::Tracer;
 use crate::math::Rgb;
 use crate::probe::Probe;
 use crate::scene::{Settings, World};
@@ -88,15 +89,13 @@ impl Tile {
     fn render<P: Probe + Default>(self, world: &World, settings: &Settings) -> Done<P> {
         let mut probe = P::default();
         let mut film = Film::black(self.size(), settings);
+        let mut tracer = Tracer::new(world, settings, &mut probe);
         if P::LISTENS || !world.accel.gains_from_bundles() {
             for (index, at) in self.pixels().enumerate() {
-                film.put(index, at, &pixel(world, settings, at, &mut probe));
+                film.put(index, at, &sampled(&mut tracer, at));
             }
         } else {
-            let pixels = self.render_in_bundles(world, settings, &mut probe);
-            for (index, (at, pixel)) in self.pixels().zip(pixels).enumerate() {
-                film.put(index, at, &pixel);
-            }
+            self.render_in_bundles(&mut tracer, &mut film);
         }
         Done {
             tile: self,
@@ -106,29 +105,31 @@ impl Tile {
     }
 
     /// The same with what the pixels ask answered together, sample after sample.
-    fn render_in_bundles<P: Probe>(
-        self,
-        world: &World,
-        settings: &Settings,
-        probe: &mut P,
-    ) -> Vec<Pixel> {
-        let (columns, _) = self.size();
-        let index = |(x, y): (u32, u32)| ((y - self.y[0]) * columns + (x - self.x[0])) as usize;
-        let mut pixels: Vec<_> = self.pixels().map(|at| Sampled::new(settings, at)).collect();
-        let mut open = in_blocks(self);
+    fn render_in_bundles<P: Probe>(self, tracer: &mut Tracer<P>, film: &mut Film) {
+        let (world, settings, budget) = (tracer.world, tracer.settings, tracer.budget);
+        let mut pixels: Vec<_> = in_blocks(self)
+            .into_iter()
+            .map(|at| Sampled::new(settings, budget, at))
+            .collect();
         let mut foresight = Foresight::default();
         for sample in 0.. {
-            open.retain(|at| pixels[index(*at)].is_open(settings));
-            if open.is_empty() {
+            let open = pixels.iter_mut();
+            let places = open.filter_map(|p| p.is_open(settings).then(|| p.at()));
+            if !foresight.ask(world, settings, places, sample) {
                 break;
             }
-            foresight.ask(world, settings, open.iter().copied(), sample);
-            for (place, ray, foreseen) in foresight.samples() {
-                let sampled = &mut pixels[index(place.asker.pixel)];
-                sampled.add(world, settings, (place, ray), Some(foreseen), probe);
+            let open = pixels.iter_mut();
+            let open = open.filter_map(|p| p.is_open(settings).then_some(p));
+            for (sampled, (place, ray, foreseen)) in open.zip(foresight.samples()) {
+                sampled.add(tracer, (place, ray), Some(foreseen));
             }
         }
-        pixels.into_iter().map(|p| p.finish(settings)).collect()
+        let (columns, _) = self.size();
+        for sampled in &mut pixels {
+            let (x, y) = sampled.at();
+            let index = (y - self.y[0]) * columns + (x - self.x[0]);
+            film.put(index as usize, (x, y), sampled.finish(settings));
+        }
     }
 
     /// Its columns and rows.
@@ -233,10 +234,12 @@ impl Film {
         }
         self.rays += pixel.rays;
         self.cut |= pixel.cut;
-        self.spoiled = self.spoiled.plus(Spoiled {
-            count: u64::from(pixel.spoiled),
-            first: pixel.first_spoiled.map(|sample| (at, sample)),
-        });
+        if pixel.spoiled > 0 {
+            self.spoiled = self.spoiled.plus(Spoiled {
+                count: u64::from(pixel.spoiled),
+                first: pixel.first_spoiled.map(|sample| (at, sample)),
+            });
+        }
     }
 
     /// Puts in a tile.

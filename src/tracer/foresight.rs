@@ -5,14 +5,19 @@
 //! function that it is: it asks a foreseen question like any other, and the answer is the same to the last bit.
 
 use super::film::Tile;
-use super::lights::{Question, question, samples, seen};
+use super::lights::{Question, Surface, question, samples, seen};
 use super::samples::{Place, place};
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
+use crate::probe::Absence;
 use crate::scene::{Effect, Settings, World};
+use crate::shading::Interaction;
 
 /// The edge of the blocks in which a tile's rays are put side by side: a block's rays make one bundle.
 const BLOCK: u32 = 4;
+
+/// Lights that are foreseen at most; the others are asked one ray at a time. It bounds the memory.
+const MOST_LIGHTS: usize = 64;
 
 /// The answers for one sample of each of some pixels.
 #[derive(Default)]
@@ -20,33 +25,58 @@ pub struct Foresight {
     places: Vec<Place>,
     rays: Vec<(Ray, Interval)>,
     hits: Vec<Option<Hit>>,
-    /// For each pixel, light by light: whether something stands before it; `None` where it is not asked.
-    blocked: Vec<Option<bool>>,
+    /// For each pixel, where its ray arrives.
+    arrivals: Vec<Option<Interaction>>,
+    /// For each pixel, light by light: the question to it; `None` where none is foreseen.
+    asked: Vec<Option<Asked>>,
+    /// Lights of each pixel in `asked`.
     lights: usize,
+    shadow: Shadow,
+}
+
+/// What a place asks of a light that is sent one ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked {
+    /// The question, or why there is none.
+    pub question: Result<Question, Absence>,
+    /// Whether something stands before the light.
+    pub blocked: bool,
 }
 
 /// What is foreseen of one eye ray.
 #[derive(Clone, Copy)]
 pub struct Foreseen<'a> {
-    /// Its closest hit.
-    pub hit: Option<Hit>,
-    /// Light by light, whether something stands between it and the hit.
-    pub blocked: &'a [Option<bool>],
+    /// Its closest hit, and the place.
+    pub found: Option<(&'a Hit, &'a Interaction)>,
+    /// Light by light, what the place asks of it.
+    pub asked: &'a [Option<Asked>],
+}
+
+/// The shadow rays to one light.
+#[derive(Default)]
+struct Shadow {
+    rays: Vec<(Ray, Interval)>,
+    /// Ray by ray, the index of its question.
+    of: Vec<usize>,
+    blocked: Vec<bool>,
 }
 
 impl Foresight {
-    /// Asks for sample number `sample` of all `pixels`.
+    /// Asks for sample number `sample` of all `pixels`; false if there are none.
     pub fn ask(
         &mut self,
         world: &World,
         settings: &Settings,
         pixels: impl Iterator<Item = (u32, u32)>,
         sample: u32,
-    ) {
-        let camera = &world.scene.camera;
+    ) -> bool {
+        let (scene, camera) = (&world.scene, &world.scene.camera);
         self.places.clear();
         self.places
             .extend(pixels.map(|pixel| place(settings, pixel, sample)));
+        if self.places.is_empty() {
+            return false;
+        }
         self.rays.clear();
         self.rays.extend(self.places.iter().map(|place| {
             let ray = camera.ray(place.film, settings.size());
@@ -56,40 +86,55 @@ impl Foresight {
         self.hits.resize(self.rays.len(), None);
         world
             .accel
-            .closest_many(&world.scene.shapes, &self.rays, &mut self.hits);
-        self.lights = world.scene.lights.len();
-        self.blocked.clear();
-        self.blocked.resize(self.rays.len() * self.lights, None);
+            .closest_many(&scene.shapes, &self.rays, &mut self.hits);
+        let rays_and_hits = self.rays.iter().zip(&self.hits);
+        self.arrivals.clear();
+        self.arrivals.extend(
+            rays_and_hits.map(|((ray, _), hit)| Some(scene.interaction(ray, hit.as_ref()?))),
+        );
+        self.lights = scene.lights.len().min(MOST_LIGHTS);
+        self.asked.clear();
+        self.asked.resize(self.rays.len() * self.lights, None);
         for light in 0..self.lights {
-            let one_ray = samples(&world.scene, settings, light as u32) == 1;
+            let one_ray = samples(scene, settings, light as u32) == 1;
             if one_ray && settings.effects.has(Effect::Shadows) {
                 self.ask_light(world, settings, light);
             }
         }
+        true
     }
 
     /// Asks whether each hit sees a light to which one ray is sent. (Many rays to an area make a bundle at each hit.)
     fn ask_light(&mut self, world: &World, settings: &Settings, light: usize) {
-        let scene = &world.scene;
-        let number = light as u32;
-        let (mut places, mut rays) = (Vec::new(), Vec::new());
-        for (place, ((ray, _), hit)) in self.rays.iter().zip(&self.hits).enumerate() {
-            let Some(hit) = hit else { continue };
-            let at = scene.interaction(ray, hit);
-            let material = scene.material_of(hit.primitive);
-            let asker = self.places[place].asker;
-            let projected = seen(scene, settings, (&at, material), number);
-            let surface = (&at, material, projected.as_deref());
-            let asked = question(scene, settings, asker, surface, (number, 0));
-            if let Ok(Question { ray, lit, .. }) = asked {
-                places.push(place);
+        let (scene, number) = (&world.scene, light as u32);
+        let Shadow { rays, of, blocked } = &mut self.shadow;
+        rays.clear();
+        of.clear();
+        for (i, place) in self.places.iter().enumerate() {
+            let Some((hit, at)) = self.hits[i].as_ref().zip(self.arrivals[i].as_ref()) else {
+                continue;
+            };
+            let surface = Surface::new(at, scene.material_of(hit.primitive));
+            let projected = seen(scene, settings, &surface, number);
+            let light_seen = (&surface, projected.as_deref());
+            let question = question(scene, settings, place.asker, light_seen, (number, 0));
+            let index = i * self.lights + light;
+            if let Ok(Question { ray, lit, .. }) = question {
                 rays.push((ray, Interval::before(lit.distance)));
+                of.push(index);
             }
+            self.asked[index] = Some(Asked {
+                question,
+                blocked: false,
+            });
         }
-        let mut blocked = vec![false; rays.len()];
-        world.accel.any_many(&scene.shapes, &rays, &mut blocked);
-        for (place, blocked) in places.into_iter().zip(blocked) {
-            self.blocked[place * self.lights + light] = Some(blocked);
+        blocked.clear();
+        blocked.resize(rays.len(), false);
+        world.accel.any_many(&scene.shapes, rays, blocked);
+        for (index, blocked) in of.iter().zip(blocked) {
+            if let Some(asked) = &mut self.asked[*index] {
+                asked.blocked = *blocked;
+            }
         }
     }
 
@@ -97,8 +142,8 @@ impl Foresight {
     pub fn samples(&self) -> impl Iterator<Item = (&Place, Ray, Foreseen<'_>)> {
         (0..self.places.len()).map(|i| {
             let foreseen = Foreseen {
-                hit: self.hits[i],
-                blocked: &self.blocked[i * self.lights..][..self.lights],
+                found: self.hits[i].as_ref().zip(self.arrivals[i].as_ref()),
+                asked: &self.asked[i * self.lights..][..self.lights],
             };
             (&self.places[i], self.rays[i].0, foreseen)
         })
@@ -107,15 +152,14 @@ impl Foresight {
 
 /// The pixels of a tile, block after block.
 pub fn in_blocks(tile: Tile) -> Vec<(u32, u32)> {
-    let blocks = |[start, end]: [u32; 2]| {
-        (start..end)
-            .step_by(BLOCK as usize)
-            .map(move |a| (a, (a + BLOCK).min(end)))
-    };
-    blocks(tile.y)
-        .flat_map(|rows| blocks(tile.x).map(move |columns| (rows, columns)))
-        .flat_map(|(rows, columns)| {
-            (rows.0..rows.1).flat_map(move |y| (columns.0..columns.1).map(move |x| (x, y)))
-        })
-        .collect()
+    let ([left, right], [top, bottom]) = (tile.x, tile.y);
+    let mut pixels = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
+    for y0 in (top..bottom).step_by(BLOCK as usize) {
+        for x0 in (left..right).step_by(BLOCK as usize) {
+            for y in y0..(y0 + BLOCK).min(bottom) {
+                pixels.extend((x0..(x0 + BLOCK).min(right)).map(|x| (x, y)));
+            }
+        }
+    }
+    pixels
 }

@@ -29,6 +29,17 @@ pub struct Question {
     pub n_dot_l: f64,
 }
 
+/// A place on a surface, as far as lights matter there.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface<'a> {
+    /// The place.
+    pub at: &'a Interaction,
+    /// What it is made of.
+    pub material: &'a Material,
+    /// Kd there.
+    pub diffuse: Rgb,
+}
+
 /// The questions of one place to one light, and the answers: room that is used again and again.
 #[derive(Debug, Default)]
 pub struct Bundle {
@@ -94,7 +105,7 @@ pub fn samples(scene: &Scene, settings: &Settings, light: u32) -> u32 {
 pub fn seen(
     scene: &Scene,
     settings: &Settings,
-    (at, m): (&Interaction, &Material),
+    surface: &Surface,
     light: u32,
 ) -> Option<Box<Projected>> {
     let Source::Area(area) = &scene.lights[light as usize].source else {
@@ -103,10 +114,11 @@ pub fn seen(
     let by_what_it_brings = settings.light_sampling == LightSampling::Projected
         && settings.sampler != Sampler::Grid
         && settings.effects.has(Effect::SoftShadows)
-        && m.specular.is_black();
-    if !by_what_it_brings || m.diffuse_at(at.uv).is_black() {
+        && surface.material.specular.is_black();
+    if !by_what_it_brings || surface.diffuse.is_black() {
         return None;
     }
+    let at = surface.at;
     // Boxed: it is large, and nearly always none.
     area.projected(at.point, at.normal).map(Box::new)
 }
@@ -141,12 +153,13 @@ pub fn question(
     scene: &Scene,
     settings: &Settings,
     asker: Asker,
-    (at, m, projected): (&Interaction, &Material, Option<&Projected>),
+    (surface, projected): (&Surface, Option<&Projected>),
     light: (u32, u32),
 ) -> Result<Question, Absence> {
-    if m.diffuse_at(at.uv).is_black() && m.specular.is_black() {
+    if surface.diffuse.is_black() && surface.material.specular.is_black() {
         return Err(Absence::NoLocalLight);
     }
+    let at = surface.at;
     let Some(lit) = illumination(scene, settings, asker, (at, projected), light) else {
         return Err(Absence::FacingAway { n_dot_l: 0.0 });
     };
@@ -162,6 +175,19 @@ pub fn question(
     }
     let ray = Ray::new(at.origin_towards(lit.direction), lit.direction);
     Ok(Question { ray, lit, n_dot_l })
+}
+
+impl<'a> Surface<'a> {
+    /// The place `at` of a material.
+    #[inline]
+    pub fn new(at: &'a Interaction, material: &'a Material) -> Self {
+        let diffuse = material.diffuse_at(at.uv);
+        Self {
+            at,
+            material,
+            diffuse,
+        }
+    }
 }
 
 impl Bundle {

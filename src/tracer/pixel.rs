@@ -6,7 +6,7 @@ use super::spread::Spread;
 use super::whitted::Tracer;
 use crate::math::{Ray, Rgb};
 use crate::probe::{Event, Probe, Silent};
-use crate::scene::{Pilot, Settings, World};
+use crate::scene::{Budget, Pilot, Settings, World};
 
 /// A traced pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,8 +37,8 @@ pub struct Sampled {
     target: u32,
     /// The weights, if the number of samples is known.
     weights: Option<Weights>,
-    /// What the samples brought until it is.
-    kept: Vec<(Rgb, f64)>,
+    /// What the samples brought until it is; boxed, since most pixels keep nothing.
+    kept: Option<Box<Vec<(Rgb, f64)>>>,
     /// For the standard error, if somebody wants to know it.
     spread: Option<Box<Spread>>,
 }
@@ -70,15 +70,15 @@ impl Default for Pixel {
 
 impl Sampled {
     /// A pixel without samples.
-    pub fn new(settings: &Settings, at: (u32, u32)) -> Self {
-        let known = settings.adaptive.is_none();
-        Self::with(settings, at, known.then_some(settings.samples_afforded()))
+    pub fn new(settings: &Settings, budget: Budget, at: (u32, u32)) -> Self {
+        let known = settings.adaptive.is_none().then_some(budget.samples);
+        Self::with(settings, budget, at, known)
     }
 
     /// The same, where the number of samples may be known before.
-    fn with(settings: &Settings, at: (u32, u32), known: Option<u32>) -> Self {
+    fn with(settings: &Settings, budget: Budget, at: (u32, u32), known: Option<u32>) -> Self {
         let wanted = known.is_none() || settings.errors;
-        let afforded = settings.samples_afforded();
+        let afforded = budget.samples;
         Self {
             at,
             pixel: Pixel {
@@ -87,7 +87,7 @@ impl Sampled {
             },
             target: known.unwrap_or(settings.samples.min(afforded)),
             weights: known.map(|count| Weights::new(settings, at, count)),
-            kept: Vec::new(),
+            kept: known.is_none().then(Box::default),
             spread: wanted.then(|| Box::new(new_spread(settings))),
         }
     }
@@ -129,17 +129,15 @@ impl Sampled {
     #[inline]
     pub fn add<P: Probe>(
         &mut self,
-        world: &World,
-        settings: &Settings,
+        tracer: &mut Tracer<P>,
         (place, ray): (&Place, Ray),
         foreseen: Option<Foreseen>,
-        probe: &mut P,
     ) {
-        let mut tracer =
-            Tracer::new(world, settings, probe).continuing(self.pixel.rays, self.pixel.spent);
+        (tracer.rays, tracer.spent) = (self.pixel.rays, self.pixel.spent);
+        tracer.cut = self.pixel.cut;
         let brought = tracer.eye(place.asker, ray, foreseen);
         (self.pixel.rays, self.pixel.spent) = (tracer.rays, tracer.spent);
-        self.pixel.cut |= tracer.cut;
+        self.pixel.cut = tracer.cut;
         let index = self.pixel.samples;
         self.pixel.samples += 1;
         let radiance = counted(brought);
@@ -149,8 +147,8 @@ impl Sampled {
         }
         if let Some(weights) = self.weights {
             self.pixel.color += radiance * weights.of(index, place.sign);
-        } else {
-            self.kept.push((radiance, place.sign));
+        } else if let Some(kept) = &mut self.kept {
+            kept.push((radiance, place.sign));
         }
         if let Some(spread) = &mut self.spread {
             spread.add(radiance.luminance(), place.sign);
@@ -163,15 +161,15 @@ impl Sampled {
     }
 
     /// The pixel with all its samples.
-    pub fn finish(mut self, settings: &Settings) -> Pixel {
+    pub fn finish(&mut self, settings: &Settings) -> &Pixel {
         self.pixel.error = self.standard_error();
-        if self.weights.is_none() {
+        if let Some(kept) = &self.kept {
             let weights = Weights::new(settings, self.at, self.pixel.samples);
-            for (index, (radiance, sign)) in (0..).zip(&self.kept) {
+            for (index, (radiance, sign)) in (0..).zip(&**kept) {
                 self.pixel.color += *radiance * weights.of(index, *sign);
             }
         }
-        self.pixel
+        &self.pixel
     }
 }
 
@@ -186,42 +184,47 @@ fn new_spread(settings: &Settings) -> Spread {
 
 /// Traces pixel (x, y) and tells `probe` of everything that happens. With any probe, on any thread, its colour is the
 /// same bit for bit.
+pub fn pixel<P: Probe>(world: &World, settings: &Settings, at: (u32, u32), probe: &mut P) -> Pixel {
+    sampled(&mut Tracer::new(world, settings, probe), at)
+}
+
+/// The same with a tracer that is there already.
 ///
 /// Where samples decide how many there are to be, their weights are known only after the last. A probe that listens
 /// is told the truth from the first on: the pixel is traced silently before.
 #[inline]
-pub fn pixel<P: Probe>(world: &World, settings: &Settings, at: (u32, u32), probe: &mut P) -> Pixel {
+pub fn sampled<P: Probe>(tracer: &mut Tracer<P>, at: (u32, u32)) -> Pixel {
+    let (settings, budget) = (tracer.settings, tracer.budget);
     if P::LISTENS && settings.adaptive.is_some() {
-        let found = follow(world, settings, Sampled::new(settings, at), &mut Silent);
-        let known = Sampled::with(settings, at, Some(found.samples));
-        let told = follow(world, settings, known, probe);
+        let mut silent = Silent;
+        let mut ahead = Tracer::new(tracer.world, settings, &mut silent);
+        let found = follow(&mut ahead, Sampled::new(settings, budget, at));
+        let known = Sampled::with(settings, budget, at, Some(found.samples));
+        let told = follow(tracer, known);
         return Pixel {
             error: found.error,
             ..told
         };
     }
-    follow(world, settings, Sampled::new(settings, at), probe)
+    follow(tracer, Sampled::new(settings, budget, at))
 }
 
 /// Takes sample after sample.
-fn follow<P: Probe>(
-    world: &World,
-    settings: &Settings,
-    mut sampled: Sampled,
-    probe: &mut P,
-) -> Pixel {
+fn follow<P: Probe>(tracer: &mut Tracer<P>, mut sampled: Sampled) -> Pixel {
+    let settings = tracer.settings;
     while sampled.is_open(settings) {
         let index = sampled.pixel.samples;
         let place = place(settings, sampled.at, index);
         if let Some(weights) = sampled.weights {
-            probe.event(Event::Sample {
+            tracer.probe.event(Event::Sample {
                 index,
                 film: place.film,
                 weight: weights.of(index, place.sign),
             });
         }
-        let ray = world.scene.camera.ray(place.film, settings.size());
-        sampled.add(world, settings, (&place, ray), None, probe);
+        let camera = &tracer.world.scene.camera;
+        let ray = camera.ray(place.film, settings.size());
+        sampled.add(tracer, (&place, ray), None);
     }
-    sampled.finish(settings)
+    *sampled.finish(settings)
 }

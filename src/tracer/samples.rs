@@ -56,7 +56,11 @@ fn point(settings: &Settings, pixel: (u32, u32), dimension: Dimension, index: u3
         Sampling::Sobol => (0, index),
         _ => (index / count, index % count),
     };
-    let key = film_run(settings.seed, pixel, dimension, set);
+    let key = match settings.sampling {
+        // No chance in it.
+        Sampling::Regular => 0,
+        _ => film_run(settings.seed, pixel, dimension, set),
+    };
     let run = Run { key, count };
     settings.sampling.sampler().point(run, index)
 }

@@ -8,11 +8,11 @@ mod split;
 
 use super::boundary::Change;
 use super::foresight::Foreseen;
-use super::lights::{Asker, Bundle};
+use super::lights::{Asker, Bundle, Surface};
 use crate::geometry::Hit;
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
-use crate::scene::{Company, Effect, Room, Settings, World};
+use crate::scene::{Budget, Company, Effect, Room, Settings, World};
 use crate::shading::{Entered, Interaction, optics, phong};
 use arrive::Arrival;
 use split::Split;
@@ -21,10 +21,12 @@ pub use crate::scene::limits::MAX_DEPTH;
 
 /// Follows rays and tells a probe about it.
 pub struct Tracer<'a, P> {
-    world: &'a World,
-    settings: &'a Settings,
-    probe: &'a mut P,
-    /// Rays sent so far.
+    pub(super) world: &'a World,
+    pub(super) settings: &'a Settings,
+    pub(super) probe: &'a mut P,
+    /// What the pixel may spend.
+    pub(super) budget: Budget,
+    /// Rays sent so far for the pixel.
     pub rays: u64,
     /// What counts against the budget for all but eye rays: rays, and questions to lights that needed none, since those
     /// cost time, too.
@@ -61,19 +63,13 @@ impl<'a, P: Probe> Tracer<'a, P> {
             world,
             settings,
             probe,
+            budget: settings.budget(),
             rays: 0,
             spent: 0,
             cut: false,
             bundle: Bundle::default(),
             room: Room::default(),
         }
-    }
-
-    /// A tracer that already sent `rays` rays for this pixel, and spent so much of its budget.
-    #[must_use]
-    pub fn continuing(mut self, rays: u64, spent: u64) -> Self {
-        (self.rays, self.spent) = (rays, spent);
-        self
     }
 
     /// The radiance that arrives at the eye along `ray`, of which something may be foreseen.
@@ -95,14 +91,28 @@ impl<'a, P: Probe> Tracer<'a, P> {
     /// The radiance that comes back along a ray.
     fn radiance(&mut self, path: &mut Path) -> Rgb {
         self.send(path);
-        let Some(hit) = self.first(path) else {
-            return self.background();
-        };
-        let at = self.world.scene.interaction(&path.ray, &hit);
-        if self.world.company(hit.primitive) == Company::Away {
-            return self.shade(path, &hit, &at, None);
+        if let Some(foreseen) = path.foreseen {
+            return match foreseen.found {
+                Some((hit, at)) => self.arrived(path, hit, at),
+                None => self.background(),
+            };
         }
-        match self.arrive(path, hit, at) {
+        match self.world.closest(&path.ray, 0.0, self.probe) {
+            Some(hit) => {
+                let at = self.world.scene.interaction(&path.ray, &hit);
+                self.arrived(path, &hit, &at)
+            }
+            None => self.background(),
+        }
+    }
+
+    /// The radiance that comes back from the closest hit.
+    #[inline]
+    fn arrived(&mut self, path: &mut Path, hit: &Hit, at: &Interaction) -> Rgb {
+        if self.world.company(hit.primitive) == Company::Away {
+            return self.shade(path, hit, at, None);
+        }
+        match self.arrive(path, *hit, *at) {
             Some(Arrival { hit, at, change }) => self.shade(path, &hit, &at, change.as_ref()),
             None => self.background(),
         }
@@ -133,8 +143,9 @@ impl<'a, P: Probe> Tracer<'a, P> {
             self.add(&mut sum, Term::Ambient, (NONE, 0), ambient);
         }
         // What each light adds, unless something stands in its way.
+        let surface = Surface::new(at, material);
         for light in 0..scene.lights.len() as u32 {
-            self.light(&mut sum, path, at, material, light);
+            self.light(&mut sum, path, &surface, light);
         }
         // What comes from the mirrored and from the refracted direction.
         let split = self.split(path, at, material, change);
@@ -145,18 +156,19 @@ impl<'a, P: Probe> Tracer<'a, P> {
 
     /// The reflected ray, if there is one: adds Wr radiance(R).
     fn reflect(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, split: &Split) {
-        let direction = optics::reflect(-at.to_viewer, at.normal);
-        let n_dot_r = at.geometric_normal.dot(direction);
-        let absence = if split.reflected.is_black() {
-            Some(Absence::NoReflection)
+        let way = if split.reflected.is_black() {
+            Err(Absence::NoReflection)
         } else if !self.settings.effects.has(Effect::Reflection) {
-            Some(Absence::EffectOff)
-        } else if n_dot_r <= 0.0 {
-            Some(Absence::BelowSurface { n_dot_r })
+            Err(Absence::EffectOff)
         } else {
-            None
+            let direction = optics::reflect(-at.to_viewer, at.normal);
+            let n_dot_r = at.geometric_normal.dot(direction);
+            if n_dot_r > 0.0 {
+                Ok((direction, path.entered))
+            } else {
+                Err(Absence::BelowSurface { n_dot_r })
+            }
         };
-        let way = absence.map_or(Ok((direction, path.entered)), Err);
         self.follow(sum, path, at, RayKind::Reflected, split.reflected, way);
     }
 
@@ -237,7 +249,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
 
     /// True, and noted, if the pixel has sent its share of rays.
     fn out_of_rays(&mut self) -> bool {
-        let out = self.spent >= self.settings.further_rays_per_pixel();
+        let out = self.spent >= self.budget.further_rays;
         self.cut |= out;
         out
     }

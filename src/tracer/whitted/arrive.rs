@@ -17,15 +17,6 @@ pub struct Arrival {
 }
 
 impl<P: Probe> Tracer<'_, P> {
-    /// The closest hit, which may have been foreseen.
-    #[inline]
-    pub(super) fn first(&mut self, path: &Path) -> Option<Hit> {
-        match path.foreseen {
-            Some(foreseen) => foreseen.hit,
-            None => self.world.closest(&path.ray, 0.0, self.probe),
-        }
-    }
-
     /// From the closest hit on, the first surface that counts. Those that change no medium are passed, and the path knows of
     /// it; each costs as much as a ray and counts as one.
     #[inline(never)]

@@ -4,28 +4,25 @@ use super::{Path, Tracer};
 use crate::math::Rgb;
 use crate::probe::{Absence, Event, Probe, RayKind, RaySent, Term};
 use crate::scene::Effect;
-use crate::shading::{Interaction, Material, Projected, optics, phong};
-use crate::tracer::lights::{self, Question};
+use crate::shading::{Projected, optics, phong};
+use crate::tracer::foresight::Asked;
+use crate::tracer::lights::{self, Question, Surface};
 
-/// A place, its material, and how it sees the light in question.
-type Surface<'s> = (&'s Interaction, &'s Material, Option<&'s Projected>);
+/// A place, and how it sees the light in question.
+type Facing<'s> = (&'s Surface<'s>, Option<&'s Projected>);
 
 impl<P: Probe> Tracer<'_, P> {
     /// One light: a shadow ray to it, many to an area, and for each that arrives the diffuse and the specular term.
-    pub(super) fn light(
-        &mut self,
-        sum: &mut Rgb,
-        path: &Path,
-        at: &Interaction,
-        m: &Material,
-        light: u32,
-    ) {
+    pub(super) fn light(&mut self, sum: &mut Rgb, path: &Path, surface: &Surface, light: u32) {
+        if let Some(asked) = path.foreseen.and_then(|f| *f.asked.get(light as usize)?) {
+            return self.light_as_foreseen(sum, surface, light, &asked);
+        }
         let (scene, settings) = (&self.world.scene, self.settings);
         let count = lights::samples(scene, settings, light);
-        let projected = lights::seen(scene, settings, (at, m), light);
-        let surface = (at, m, projected.as_deref());
+        let projected = lights::seen(scene, settings, surface, light);
+        let facing = (surface, projected.as_deref());
         if !P::LISTENS && count > 1 && self.settings.effects.has(Effect::Shadows) {
-            return self.light_in_a_bundle(sum, path, surface, light, count);
+            return self.light_in_a_bundle(sum, path, facing, light, count);
         }
         if count > 1 {
             let samples = count;
@@ -35,11 +32,25 @@ impl<P: Probe> Tracer<'_, P> {
             if self.no_more_light(light) {
                 break;
             }
-            let Some(question) = self.question(path, surface, (light, sample)) else {
+            let Some(question) = self.question(path, facing, (light, sample)) else {
                 continue;
             };
             if !self.shadowed(path, (light, sample), &question) {
                 self.lit(sum, surface, (light, sample), &question);
+            }
+        }
+    }
+
+    /// The same with one shadow ray that has been asked already.
+    fn light_as_foreseen(&mut self, sum: &mut Rgb, surface: &Surface, light: u32, asked: &Asked) {
+        if self.no_more_light(light) {
+            return;
+        }
+        self.spent += 1;
+        if let Ok(question) = &asked.question {
+            self.rays += 1;
+            if !asked.blocked {
+                self.lit(sum, surface, (light, 0), question);
             }
         }
     }
@@ -49,7 +60,7 @@ impl<P: Probe> Tracer<'_, P> {
         &mut self,
         sum: &mut Rgb,
         path: &Path,
-        surface: Surface,
+        facing: Facing,
         light: u32,
         count: u32,
     ) {
@@ -59,23 +70,23 @@ impl<P: Probe> Tracer<'_, P> {
             if self.no_more_light(light) {
                 break;
             }
-            let question = self.question(path, surface, (light, sample));
+            let question = self.question(path, facing, (light, sample));
             bundle.questions.extend(question.map(|q| (sample, q)));
         }
         bundle.answer(self.world);
         for ((sample, question), blocked) in bundle.questions.iter().zip(&bundle.blocked) {
             if !blocked {
-                self.lit(sum, surface, (light, *sample), question);
+                self.lit(sum, facing.0, (light, *sample), question);
             }
         }
         self.bundle = bundle;
     }
 
     /// What is to be asked of a sample of a light, if anything.
-    fn question(&mut self, path: &Path, surface: Surface, light: (u32, u32)) -> Option<Question> {
+    fn question(&mut self, path: &Path, facing: Facing, light: (u32, u32)) -> Option<Question> {
         let scene = &self.world.scene;
         self.spent += 1;
-        match lights::question(scene, self.settings, path.asker, surface, light) {
+        match lights::question(scene, self.settings, path.asker, facing, light) {
             Ok(question) => {
                 self.rays += u64::from(self.settings.effects.has(Effect::Shadows));
                 Some(question)
@@ -107,10 +118,6 @@ impl<P: Probe> Tracer<'_, P> {
     /// Sends a shadow ray: true if anything stands before the light. Transparent things block it as well.
     fn shadowed(&mut self, path: &Path, (light, sample): (u32, u32), question: &Question) -> bool {
         let Question { ray, lit, .. } = question;
-        let foreseen = path.foreseen.and_then(|f| f.blocked[light as usize]);
-        if let Some(blocked) = foreseen {
-            return blocked;
-        }
         if !self.settings.effects.has(Effect::Shadows) {
             self.probe.event(Event::Absent {
                 kind: RayKind::Light,
@@ -139,9 +146,9 @@ impl<P: Probe> Tracer<'_, P> {
     }
 
     /// What a light adds that nothing stands before.
-    fn lit(&mut self, sum: &mut Rgb, (at, m, _): Surface, light: (u32, u32), question: &Question) {
+    fn lit(&mut self, sum: &mut Rgb, surface: &Surface, light: (u32, u32), question: &Question) {
         let Question { lit, n_dot_l, .. } = question;
-        let kd = m.diffuse_at(at.uv);
+        let (at, m, kd) = (surface.at, surface.material, surface.diffuse);
         let diffuse = match lit.irradiance {
             Some(irradiance) => kd * irradiance,
             None => phong::diffuse(kd, lit.intensity, *n_dot_l),
