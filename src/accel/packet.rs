@@ -109,10 +109,10 @@ impl Accel {
         rays: &[(Ray, Interval)],
         out: &mut [Option<Hit>],
     ) {
-        let waiting = &mut T::Waiting::default();
+        let room = &mut Room::default();
         for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
             let rays = &rays[..rays.len().min(out.len())];
-            if together::<false, T>(tree.isa(), tree, shapes, rays, out, waiting).is_none() {
+            if together::<false, T>(tree.isa(), tree, shapes, rays, out, room).is_none() {
                 self.closest_each(shapes, rays, out);
             }
         }
@@ -125,10 +125,10 @@ impl Accel {
         rays: &[(Ray, Interval)],
         out: &mut [bool],
     ) {
-        let (waiting, best) = (&mut T::Waiting::default(), &mut [None; RAYS]);
+        let (room, best) = (&mut Room::default(), &mut [None; RAYS]);
         for (rays, out) in rays.chunks(RAYS).zip(out.chunks_mut(RAYS)) {
             let rays = &rays[..rays.len().min(out.len())];
-            match together::<true, T>(tree.isa(), tree, shapes, rays, best, waiting) {
+            match together::<true, T>(tree.isa(), tree, shapes, rays, best, room) {
                 Some(found) => {
                     for (i, out) in out.iter_mut().enumerate() {
                         *out = found >> i & 1 == 1;
@@ -149,7 +149,7 @@ fn together<const ANY: bool, T: Follow>(
     shapes: &[Shape],
     rays: &[(Ray, Interval)],
     best: &mut [Option<Hit>],
-    waiting: &mut T::Waiting,
+    room: &mut Room<T::Waiting>,
 ) -> Option<u32> {
     let frame = tree.frame()?;
     isa.run(Together::<ANY, T> {
@@ -158,8 +158,15 @@ fn together<const ANY: bool, T: Follow>(
         shapes,
         rays,
         best,
-        waiting,
+        room,
     })
+}
+
+/// Room for packets, made once for many.
+#[derive(Default)]
+struct Room<W> {
+    rays: Rays,
+    waiting: W,
 }
 
 struct Together<'a, const ANY: bool, T: Follow> {
@@ -168,7 +175,7 @@ struct Together<'a, const ANY: bool, T: Follow> {
     shapes: &'a [Shape],
     rays: &'a [(Ray, Interval)],
     best: &'a mut [Option<Hit>],
-    waiting: &'a mut T::Waiting,
+    room: &'a mut Room<T::Waiting>,
 }
 
 impl<const ANY: bool, T: Follow> Task for Together<'_, ANY, T> {
@@ -176,17 +183,19 @@ impl<const ANY: bool, T: Follow> Task for Together<'_, ANY, T> {
 
     #[inline(always)]
     fn run<L: Level>(self, level: L) -> Option<u32> {
-        let mut rays = Rays::new(level, self.frame, self.rays)?;
+        let Room { rays, waiting } = self.room;
+        if !rays.set(level, self.frame, self.rays) {
+            return None;
+        }
         self.best.fill(None);
         let mut hits = Hits::new(self.shapes, self.rays, self.best);
         for &primitive in self.tree.outside() {
             for i in 0..self.rays.len().min(RAYS) {
-                hits.test::<ANY>(&mut rays, i, primitive);
+                hits.test::<ANY>(rays, i, primitive);
             }
         }
-        self.tree
-            .follow::<ANY, L>(level, &mut rays, &mut hits, self.waiting);
-        hits.decide(level, &mut rays);
+        self.tree.follow::<ANY, L>(level, rays, &mut hits, waiting);
+        hits.decide(level, rays);
         Some(hits.found)
     }
 }

@@ -70,12 +70,14 @@ impl Default for Pixel {
 
 impl Sampled {
     /// A pixel without samples.
+    #[inline]
     pub fn new(settings: &Settings, budget: Budget, at: (u32, u32)) -> Self {
         let known = settings.adaptive.is_none().then_some(budget.samples);
         Self::with(settings, budget, at, known)
     }
 
     /// The same, where the number of samples may be known before.
+    #[inline]
     fn with(settings: &Settings, budget: Budget, at: (u32, u32), known: Option<u32>) -> Self {
         let wanted = known.is_none() || settings.errors;
         let afforded = budget.samples;

@@ -80,6 +80,7 @@ impl Weights {
     /// Those of a pixel with `count` samples in all. They add up to 1: where the filter is below 0 for some, the scale
     /// is one over the sum of all signs. Should more than half of them be negative, which only happens to very few
     /// samples, the signs are left out.
+    #[inline]
     pub fn new(settings: &Settings, pixel: (u32, u32), count: u32) -> Self {
         let pilot = settings.pilot();
         let all = f64::from(count.saturating_sub(pilot).max(1));

@@ -51,17 +51,49 @@ pub struct World {
     pub max: Row<f64>,
 }
 
+impl Default for Rays {
+    /// Room for rays.
+    fn default() -> Self {
+        let (row, wide) = ([0.0; RAYS], [0.0; RAYS]);
+        Self {
+            origin: [row; 3],
+            inverse: [row; 3],
+            near: [row; 3],
+            far: [row; 3],
+            min: row,
+            max: row,
+            slope: [row; 2],
+            start: wide,
+            rate: wide,
+            world: World {
+                origin: [wide; 3],
+                direction: [wide; 3],
+                min: wide,
+                max: wide,
+            },
+            pad: 0.0,
+            backwards: [0; 3],
+            axes: [0; 3],
+        }
+    }
+}
+
 impl Rays {
-    /// `None` if the rays do not go together: one is odd, they are few, or they go different ways.
+    /// Puts rays in; false if they do not go together: one is odd, they are few, or they go different ways. In place, since
+    /// moving so much takes as long as a box or two.
     #[inline(always)]
-    pub fn new<L: Level>(level: L, frame: &Frame, rays: &[(Ray, Interval)]) -> Option<Self> {
+    pub fn set<L: Level>(&mut self, level: L, frame: &Frame, rays: &[(Ray, Interval)]) -> bool {
         let count = rays.len().min(RAYS);
         if count < FEWEST || !Frame::is_usable(frame.scale) {
-            return None;
+            return false;
         }
         // Where there is no ray the last one stands, and counts for nothing.
-        let (mut o, mut d) = ([[0.0; RAYS]; 3], [[0.0; RAYS]; 3]);
-        let (mut start, mut end) = ([0.0; RAYS], [0.0; RAYS]);
+        let World {
+            origin: o,
+            direction: d,
+            min: start,
+            max: end,
+        } = &mut self.world;
         for i in 0..RAYS {
             let (ray, interval) = &rays[i.min(count - 1)];
             let (from, way) = (ray.origin.to_array(), ray.direction.to_array());
@@ -94,59 +126,45 @@ impl Rays {
         for i in 0..RAYS {
             pads[i] = if plain[i] >= 0.0 { pads[i] } else { 0.0 };
         }
-        let (plain, starts, ends) = (halves(&plain), halves(&start), halves(&end));
+        let (plain, starts, ends) = (halves(&plain), halves(start), halves(end));
         let mut odd = ALL;
         for h in 0..2 {
             let ordinary = level.positive8(&plain[h]) & level.less8(&starts[h], &ends[h]);
             odd &= !(ordinary << (8 * h));
         }
 
-        let mut out = Self {
-            origin: [[0.0; RAYS]; 3],
-            inverse: [[0.0; RAYS]; 3],
-            near: [[0.0; RAYS]; 3],
-            far: [[0.0; RAYS]; 3],
-            min: [0.0; RAYS],
-            max: [0.0; RAYS],
-            slope: [[0.0; RAYS]; 2],
-            start: [0.0; RAYS],
-            rate: [frame.scale; RAYS],
-            world: World {
-                origin: o,
-                direction: d,
-                min: start,
-                max: end,
-            },
-            pad: round_up(folded(pads, max)),
-            backwards: [0; 3],
-            axes: [0; 3],
-        };
+        self.pad = round_up(folded(pads, max));
+        self.start = [0.0; RAYS];
+        self.rate = [frame.scale; RAYS];
         for k in 0..3 {
             for i in 0..RAYS {
                 let way = d[k][i] as f32;
                 let least = FLATTEST.copysign(way);
                 let lifted = if way.abs() < FLATTEST { least } else { way };
                 let (origin, inverse) = (local[k][i] as f32, 1.0 / lifted);
-                let (middle, aside) = (origin * inverse, out.pad * inverse.abs());
-                out.origin[k][i] = origin;
-                out.inverse[k][i] = inverse;
-                out.near[k][i] = middle + aside;
-                out.far[k][i] = middle - aside;
+                let (middle, aside) = (origin * inverse, self.pad * inverse.abs());
+                self.origin[k][i] = origin;
+                self.inverse[k][i] = inverse;
+                self.near[k][i] = middle + aside;
+                self.far[k][i] = middle - aside;
             }
         }
         for i in 0..RAYS {
-            out.min[i] = larger(before((start[i] * frame.scale) as f32), 0.0);
-            out.max[i] = beyond((end[i] * frame.scale) as f32);
+            self.min[i] = larger(before((start[i] * frame.scale) as f32), 0.0);
+            self.max[i] = beyond((end[i] * frame.scale) as f32);
         }
         let missing = ALL << count & ALL;
         let mut dead = missing;
         if odd & !missing != 0 {
-            dead |= out.set_odd(frame, rays, odd & !missing)?;
+            match self.set_odd(frame, rays, odd & !missing) {
+                Some(none) => dead |= none,
+                None => return false,
+            }
         }
         if dead != 0 {
-            out.bury(dead);
+            self.bury(dead);
         }
-        out.agree(level).then_some(out)
+        self.agree(level)
     }
 
     /// Sets rays that are not ordinary, one by one; returns those that meet nothing.

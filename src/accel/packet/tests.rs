@@ -78,14 +78,13 @@ fn agreeing<T: Follow>(
     expected: &[Option<(u32, u64, [u64; 3])>],
 ) -> usize {
     let (mut closest, mut any) = ([None; RAYS], [None; RAYS]);
-    let waiting = &mut T::Waiting::default();
+    let room = &mut Room::default();
     let groups = rays.chunks(RAYS).zip(expected.chunks(RAYS));
     let together = groups.filter(|(rays, expected)| {
-        let Some(_) = together::<false, T>(isa, tree, shapes, rays, &mut closest, waiting) else {
+        let Some(_) = together::<false, T>(isa, tree, shapes, rays, &mut closest, room) else {
             return false;
         };
-        let blocked =
-            together::<true, T>(isa, tree, shapes, rays, &mut any, waiting).expect("again");
+        let blocked = together::<true, T>(isa, tree, shapes, rays, &mut any, room).expect("again");
         for (i, (ray, _)) in rays.iter().enumerate() {
             assert_eq!(bits(closest[i]), expected[i], "{isa:?}: {ray:?}");
             assert_eq!(
