@@ -15,5 +15,5 @@ pub mod stack;
 pub mod whitted;
 
 pub use film::{Film, Flow, Spoiled, render};
-pub use pixel::{Pixel, pixel};
+pub use pixel::{Pixel, pixel, pixel_unless};
 pub use stack::on_threads;

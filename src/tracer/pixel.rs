@@ -157,6 +157,24 @@ impl Sampled {
         }
     }
 
+    /// Takes the next sample.
+    #[inline]
+    fn next<P: Probe>(&mut self, tracer: &mut Tracer<P>) {
+        let settings = tracer.settings;
+        let index = self.pixel.samples;
+        let place = place(settings, self.at, index);
+        if let Some(weights) = self.weights {
+            tracer.probe.event(Event::Sample {
+                index,
+                film: place.film,
+                weight: weights.of(index, place.sign),
+            });
+        }
+        let camera = &tracer.world.scene.camera;
+        let ray = camera.ray(place.film, settings.size());
+        self.add(tracer, (&place, ray), None);
+    }
+
     fn standard_error(&self) -> f64 {
         let spread = self.spread.as_ref();
         spread.map_or(f64::INFINITY, |spread| spread.standard_error())
@@ -211,22 +229,30 @@ pub fn sampled<P: Probe>(tracer: &mut Tracer<P>, at: (u32, u32)) -> Pixel {
     follow(tracer, Sampled::new(settings, budget, at))
 }
 
+/// The same in silence, given up between two samples as soon as `stopped` says so.
+pub fn pixel_unless(
+    world: &World,
+    settings: &Settings,
+    at: (u32, u32),
+    stopped: &dyn Fn() -> bool,
+) -> Option<Pixel> {
+    let mut silent = Silent;
+    let mut tracer = Tracer::new(world, settings, &mut silent);
+    let mut sampled = Sampled::new(settings, tracer.budget, at);
+    while sampled.is_open(settings) {
+        if stopped() {
+            return None;
+        }
+        sampled.next(&mut tracer);
+    }
+    Some(*sampled.finish(settings))
+}
+
 /// Takes sample after sample.
 fn follow<P: Probe>(tracer: &mut Tracer<P>, mut sampled: Sampled) -> Pixel {
     let settings = tracer.settings;
     while sampled.is_open(settings) {
-        let index = sampled.pixel.samples;
-        let place = place(settings, sampled.at, index);
-        if let Some(weights) = sampled.weights {
-            tracer.probe.event(Event::Sample {
-                index,
-                film: place.film,
-                weight: weights.of(index, place.sign),
-            });
-        }
-        let camera = &tracer.world.scene.camera;
-        let ray = camera.ray(place.film, settings.size());
-        sampled.add(tracer, (&place, ray), None);
+        sampled.next(tracer);
     }
     *sampled.finish(settings)
 }

@@ -17,6 +17,14 @@ pub enum Action {
     Suspend,
     /// Catch the mouse, or leave it to the terminal.
     Mouse,
+    /// Show or hide which effects the scene calls for.
+    Effects,
+    /// To the effect that stands so many rows below.
+    Choose(i32),
+    /// Leave the chosen effect out, or take it in again.
+    Switch,
+    /// Show or hide how the pixel under the cursor nears its value.
+    Nearing,
     /// Move the pixel cursor right and down by so many pixels.
     Move(i32, i32),
     /// Trace the pixel under the cursor and open its ray tree.
@@ -72,6 +80,8 @@ pub enum Context {
     Tree,
     /// While a number is typed.
     Prompt,
+    /// While the effects are shown.
+    Effects,
     /// Unless something above says otherwise.
     Always,
 }
@@ -146,7 +156,7 @@ const fn control(letter: char) -> Key {
 #[rustfmt::skip]
 pub const ACTIONS: &[Binding] = {
     use Action as A;
-    use Context::{Always, Picture, Prompt, Tree};
+    use Context::{Always, Effects, Picture, Prompt, Tree};
     use KeyCode::{BackTab, Backspace, Down, End, Enter, Esc, Home, Left, PageDown, PageUp, Right, Tab, Up};
     use RayKind::{Incident, Light, Reflected, Transmitted};
     &[
@@ -181,6 +191,14 @@ pub const ACTIONS: &[Binding] = {
         row(Prompt, true, &[(key(Enter), A::Accept)], "go", "Go to the event with this number."),
         row(Prompt, true, &[(key(Backspace), A::Erase)], "erase", "Delete the last digit."),
 
+        row(Effects, true, &[(key(Down), A::Choose(1)), (key(Up), A::Choose(-1)), (ch('j'), A::Choose(1)), (ch('k'), A::Choose(-1))],
+            "choose", "To the next (previous) effect."),
+        row(Effects, true, &[(ch(' '), A::Switch), (key(Enter), A::Switch)], "leave out, take in",
+            "Leave the effect out of the picture, or take it in again."),
+
+        row(Always, true, &[(ch('e'), A::Effects)], "effects", "Which effects the scene calls for, and why; each can be left out."),
+        row(Always, true, &[(ch('c'), A::Nearing)], "convergence",
+            "How the pixel under the cursor nears its value with more samples: a chart that grows."),
         row(Always, false, &[(ch('m'), A::Mouse)], "mouse", "Leave the mouse to the terminal, to select text, or take it again."),
         row(Always, true, &[(ch('?'), A::Help)], "help", "This list."),
         row(Always, true, &[(ch('q'), A::Back), (key(Esc), A::Back)], "back", "One level back; from the picture, quit."),
@@ -270,7 +288,12 @@ mod tests {
 
     #[test]
     fn no_key_means_two_things_at_once() {
-        for context in [Context::Picture, Context::Tree, Context::Prompt] {
+        for context in [
+            Context::Picture,
+            Context::Tree,
+            Context::Prompt,
+            Context::Effects,
+        ] {
             let mut seen: Vec<Key> = Vec::new();
             let here = |b: &&Binding| b.context == context || b.context == Context::Always;
             for (key, action) in ACTIONS.iter().filter(here).flat_map(|b| b.keys) {

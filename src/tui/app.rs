@@ -8,12 +8,14 @@ use ratatui::layout::Rect;
 use super::Options;
 use super::actions::{Action, Context};
 use super::layout::{Pane, Panes, Shown, inside};
+use super::nearing::Nearing;
 use super::outline::{self, Outline};
 use super::path_pane::Axis;
 use super::picture::Picture;
 use super::renderer::{News, Renderer};
 use super::session::Session;
 use super::{details, help};
+use crate::scene::effects::{Finding, findings};
 use crate::scene::{Settings, World};
 use crate::trace::Cursor;
 
@@ -27,6 +29,8 @@ pub enum Overlay {
     Help(u16),
     /// The number of an event is typed.
     GoTo(String),
+    /// The effects, with this one chosen.
+    Effects(usize),
 }
 
 /// What the debugger wants of the program around it.
@@ -51,6 +55,8 @@ pub struct App {
     pub options: Options,
     /// The screen.
     pub screen: Rect,
+    /// Every effect, and whether the scene calls for it.
+    pub findings: Vec<Finding>,
     /// The image.
     pub picture: Picture,
     /// What the pixel under the cursor looks at.
@@ -59,6 +65,8 @@ pub struct App {
     pub session: Option<Box<Session>>,
     /// Since when a pixel is being traced.
     pub waiting: Option<Instant>,
+    /// How the pixel under the cursor nears its value, if that is shown.
+    pub nearing: Option<Nearing>,
     /// What lies over the panes.
     pub overlay: Option<Overlay>,
     /// The pane that has the keys while a tree is open.
@@ -84,6 +92,7 @@ impl App {
     pub fn new(world: World, settings: Settings, options: Options, screen: Rect) -> Self {
         let mut app = Self {
             outlines: outline::outlines(&world.scene),
+            findings: findings(&world.scene),
             world: Arc::new(world),
             settings,
             renderer: Renderer::new(options.threads),
@@ -94,6 +103,7 @@ impl App {
             seen: String::new(),
             session: None,
             waiting: None,
+            nearing: None,
             overlay: None,
             focus: Pane::Tree,
             zoom: false,
@@ -135,6 +145,10 @@ impl App {
             Action::Pages(by) if self.scrolls_help(by * 10) => {}
             // Any other key closes the help, and does no more.
             _ if matches!(self.overlay, Some(Overlay::Help(_))) => self.overlay = None,
+            Action::Effects => self.show_effects(),
+            Action::Choose(by) => self.choose_effect(by),
+            Action::Switch => self.switch_effect(),
+            Action::Nearing => self.show_nearing(),
             Action::Move(dx, dy) => {
                 let before = self.picture.cursor;
                 self.picture.move_by(dx, dy);
@@ -235,6 +249,8 @@ impl App {
         }
         if self.waiting.take().is_some() {
             self.renderer.give_up_trace();
+        } else if self.nearing.is_some() {
+            self.hide_nearing();
         } else if self.zoom && self.session.is_some() {
             self.zoom = false;
         } else if self.session.take().is_some() {
@@ -291,6 +307,7 @@ impl App {
     pub fn context(&self) -> Context {
         match (&self.overlay, &self.session) {
             (Some(Overlay::GoTo(_)), _) => Context::Prompt,
+            (Some(Overlay::Effects(_)), _) => Context::Effects,
             (_, Some(_)) => Context::Tree,
             (_, None) => Context::Picture,
         }
@@ -308,6 +325,16 @@ impl App {
                     }
                 }
                 News::Rendered(_) => {}
+                News::Nearer(_, pixel) => {
+                    if let Some(nearing) = &mut self.nearing {
+                        nearing.points.push(pixel);
+                    }
+                }
+                News::Near(_, end) => {
+                    if let Some(nearing) = &mut self.nearing {
+                        nearing.end = Some(end);
+                    }
+                }
                 News::Traced(_, session) => {
                     self.session = Some(session);
                     self.waiting = None;
@@ -319,7 +346,7 @@ impl App {
 
     /// True while the background works.
     pub fn is_busy(&self) -> bool {
-        self.renderer.is_rendering() || self.renderer.is_tracing()
+        self.renderer.is_working()
     }
 
     /// What is to be shown.

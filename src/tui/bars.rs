@@ -10,6 +10,7 @@ use super::app::{App, Overlay};
 use super::draw::write;
 use super::theme;
 use crate::math::Rgb;
+use crate::scene::effects::Finding;
 use crate::scene::{Settings, flags};
 use crate::trace::explain::num;
 
@@ -26,16 +27,16 @@ pub fn title(app: &App, place: Rect, buffer: &mut Buffer) {
     let mut line = Line::from(vec![
         Span::raw(format!(" {}  ", session.world.scene.name)).bold(),
         Span::raw(format!("pixel ({}, {})  ", trace.x, trace.y)),
-        theme::swatch(
-            trace.pixel.color * session.settings.exposure,
-            app.options.color,
-        ),
-        Span::raw(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays)),
     ]);
-    if let Some(told) = deviations(&session.settings) {
-        line.push_span(Span::raw("  "));
+    if let Some(told) = deviations(&session.settings, &app.findings) {
         line.push_span(told);
+        line.push_span("  ");
     }
+    line.push_span(theme::swatch(
+        trace.pixel.color * session.settings.exposure,
+        app.options.color,
+    ));
+    line.push_span(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays));
     if trace.tree.dropped > 0 {
         let text = format!(
             "  the log is full: {} events were not kept",
@@ -51,6 +52,10 @@ pub fn title(app: &App, place: Rect, buffer: &mut Buffer) {
 pub fn status(app: &App, place: Rect, buffer: &mut Buffer) {
     let (x, y) = app.picture.cursor;
     let mut line = Line::from(Span::raw(format!(" ({x}, {y}) ")).bold());
+    if let Some(told) = deviations(&app.settings, &app.findings) {
+        line.push_span(told);
+        line.push_span("  ");
+    }
     match app.picture.exact((x, y)) {
         Some(color) => {
             let shown = color * app.settings.exposure;
@@ -67,10 +72,6 @@ pub fn status(app: &App, place: Rect, buffer: &mut Buffer) {
             ));
         }
         None => line.push_span("rendering ...  "),
-    }
-    if let Some(told) = deviations(&app.settings) {
-        line.push_span(told);
-        line.push_span("  ");
     }
     line.push_span(Span::raw(app.seen.clone()));
     if place.height >= 1 {
@@ -118,10 +119,18 @@ pub fn rerun(app: &App) -> String {
     command
 }
 
-/// What is not computed as raytree would do it: never to be overlooked.
-fn deviations(settings: &Settings) -> Option<Span<'static>> {
+/// What is not computed as raytree would do it, and what is left out: never to be overlooked.
+fn deviations(settings: &Settings, findings: &[Finding]) -> Option<Span<'static>> {
     let list = settings.arithmetic.deviations().into_iter();
-    let told: Vec<_> = list.map(|d| format!("{} {}", d.choice, d.value)).collect();
+    let mut told: Vec<_> = list.map(|d| format!("{} {}", d.choice, d.value)).collect();
+    let left_out: Vec<&str> = findings
+        .iter()
+        .filter(|f| f.on && !settings.effects.has(f.effect))
+        .map(|f| f.effect.name())
+        .collect();
+    if !left_out.is_empty() {
+        told.push(format!("without {}", left_out.join(", ")));
+    }
     (!told.is_empty()).then(|| Span::styled(format!(" {} ", told.join(", ")), theme::warning()))
 }
 

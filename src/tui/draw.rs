@@ -9,7 +9,9 @@ use ratatui::widgets::{Block, BorderType, Widget};
 
 use super::app::App;
 use super::layout::{Pane, Panes, inside};
-use super::{bars, details, help, path_pane, picture_pane, steps_pane, theme, tree_pane};
+use super::{
+    bars, details, effects, help, nearing, path_pane, picture_pane, steps_pane, theme, tree_pane,
+};
 
 impl Widget for &App {
     fn render(self, screen: Rect, buffer: &mut Buffer) {
@@ -41,6 +43,8 @@ impl Widget for &App {
                 path_pane::draw(session, &self.outlines, self.axis, place, buffer);
             }
         }
+        nearing::draw(self, &panes, buffer);
+        effects::draw(self, screen, buffer);
         help::draw(self, screen, buffer);
         bars::hint(self, panes.hint, buffer);
         theme::lower(buffer, self.options.color);

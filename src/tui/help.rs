@@ -39,6 +39,7 @@ pub fn lines(width: u16) -> Vec<Line<'static>> {
         (Context::Picture, "Choosing a pixel"),
         (Context::Tree, "In the ray tree"),
         (Context::Prompt, "Typing the number of an event"),
+        (Context::Effects, "Among the effects"),
         (Context::Always, "Always"),
     ];
     let room = usize::from(width).saturating_sub(KEYS + 1).max(10);

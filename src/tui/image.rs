@@ -73,8 +73,19 @@ impl App {
         self.look();
     }
 
-    /// Looks what stands behind the pixel under the cursor.
+    /// Renders everything anew: the settings are others. An open tree is traced again.
+    pub fn redo(&mut self) {
+        self.picture.forget();
+        self.render();
+        self.look();
+        if self.session.is_some() || self.waiting.is_some() {
+            self.open();
+        }
+    }
+
+    /// Looks what stands behind the pixel under the cursor, and how it nears its value if that is shown.
     pub fn look(&mut self) {
+        self.restart_nearing();
         let seen = crate::trace::seen(&self.world, &self.settings, self.picture.cursor);
         self.seen = seen.map_or_else(
             || "nothing: the background".to_owned(),

@@ -114,6 +114,12 @@ impl Picture {
         }
     }
 
+    /// Nothing is known any more.
+    pub fn forget(&mut self) {
+        self.pixels.fill(None);
+        self.done = 0;
+    }
+
     /// The colour of a pixel, if it was rendered and is in the window.
     pub fn exact(&self, at: (u32, u32)) -> Option<Rgb> {
         self.window

@@ -92,6 +92,14 @@ impl Placement {
     }
 }
 
+impl Placement {
+    /// The cell of the screen in which a pixel lies or would lie.
+    pub fn cell(self, pixel: (u32, u32)) -> (u16, u16) {
+        let (column, half) = self.place(pixel);
+        (self.cells.x + column, self.cells.y + half / 2)
+    }
+}
+
 /// Draws the picture and the marks around the pixel under the cursor.
 pub fn draw(app: &App, placement: &Placement, buffer: &mut Buffer) {
     let cells = placement.cells;

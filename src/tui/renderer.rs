@@ -7,12 +7,13 @@ use std::thread;
 
 use rayon::prelude::*;
 
+use super::nearing;
 use super::picture::Window;
 use super::session::Session;
 use crate::math::Rgb;
 use crate::probe::Silent;
 use crate::scene::{Settings, World};
-use crate::tracer::{on_threads, pixel};
+use crate::tracer::{Pixel, on_threads, pixel};
 
 /// The sides of the blocks of the picture's passes.
 pub const BLOCKS: [u32; 5] = [16, 8, 4, 2, 1];
@@ -28,6 +29,10 @@ pub enum News {
     Rendered(u64),
     /// A pixel was traced.
     Traced(u64, Box<Session>),
+    /// A pixel with more samples than before.
+    Nearer(u64, Pixel),
+    /// No more samples of it will come, and why.
+    Near(u64, &'static str),
 }
 
 /// A job that stops when nobody holds it any more.
@@ -50,6 +55,7 @@ pub struct Renderer {
     tickets: u64,
     picture: Option<Job>,
     trace: Option<Job>,
+    nearing: Option<Job>,
 }
 
 impl Renderer {
@@ -63,6 +69,7 @@ impl Renderer {
             tickets: 0,
             picture: None,
             trace: None,
+            nearing: None,
         }
     }
 
@@ -133,9 +140,29 @@ impl Renderer {
         self.trace = None;
     }
 
-    /// True while the picture is not done.
-    pub fn is_rendering(&self) -> bool {
-        self.picture.is_some()
+    /// Traces a pixel with more and more samples, instead of one that was asked for before.
+    pub fn near(&mut self, world: &Arc<World>, settings: Settings, at: (u32, u32)) {
+        let (job, stop, sender) = self.job();
+        let (ticket, world) = (job.ticket, Arc::clone(world));
+        self.nearing = Some(job);
+        thread::spawn(move || {
+            let stopped = || stop.load(Ordering::Relaxed);
+            let tell = |pixel| drop(sender.send(News::Nearer(ticket, pixel)));
+            let end = on_threads(1, || nearing::run(&world, &settings, at, &stopped, &tell));
+            drop(sender.send(News::Near(ticket, end)));
+        });
+    }
+
+    /// Takes no more samples of it.
+    pub fn give_up_nearing(&mut self) {
+        self.nearing = None;
+    }
+
+    /// True while anything is not done.
+    pub fn is_working(&self) -> bool {
+        [&self.picture, &self.trace, &self.nearing]
+            .into_iter()
+            .any(Option::is_some)
     }
 
     /// True while a pixel is traced.
@@ -156,6 +183,11 @@ impl Renderer {
                 }
                 News::Traced(ticket, _) if is(&self.trace, ticket) => {
                     self.trace = None;
+                    return Some(news);
+                }
+                News::Nearer(ticket, _) if is(&self.nearing, ticket) => return Some(news),
+                News::Near(ticket, _) if is(&self.nearing, ticket) => {
+                    self.nearing = None;
                     return Some(news);
                 }
                 _ => {}

@@ -1,8 +1,10 @@
 //! The debugger without a terminal: actions in, screens out.
 
 mod bundle;
+mod effects;
 mod huge;
 mod mouse;
+mod nearing;
 
 use std::time::{Duration, Instant};
 
@@ -222,6 +224,7 @@ fn situations(context: Context) -> Vec<App> {
         Context::Picture | Context::Always => vec![app(80, 24)],
         Context::Tree => vec![at("gnt"), at("gn ")],
         Context::Prompt => vec![at(":7")],
+        Context::Effects => vec![at("e"), at("ej")],
     }
 }
 
@@ -292,14 +295,14 @@ fn any_size_is_drawn() {
         (200, 2),
         (0, 0),
     ];
-    for letters in ["", "z", "?", ":12", "v"] {
+    for letters in ["", "z", "?", ":12", "v", "e"] {
         let mut app = opened(120, 36);
         keys(&mut app, "nnnn");
         keys(&mut app, letters);
         let before = text(&app);
         for (width, height) in sizes {
             app.resize(Rect::new(0, 0, width, height));
-            if letters != ":12" && letters != "?" {
+            if ![":12", "?", "e"].contains(&letters) {
                 for _ in Pane::FOCUS {
                     key(&mut app, KeyCode::Tab);
                     key(&mut app, KeyCode::PageDown);
@@ -313,7 +316,7 @@ fn any_size_is_drawn() {
             }
         }
         app.resize(Rect::new(0, 0, 120, 36));
-        if letters == ":12" || letters == "?" {
+        if [":12", "?", "e"].contains(&letters) {
             assert_eq!(text(&app), before, "{letters}");
         }
     }

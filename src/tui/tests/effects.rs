@@ -1,0 +1,98 @@
+//! The panel of effects.
+
+use crossterm::event::KeyCode;
+
+use super::{key, keys, of_scene, settle, text};
+use crate::probe::Silent;
+use crate::scene::Effect;
+use crate::scene::effects::findings;
+use crate::tracer::pixel;
+use crate::tui::App;
+
+fn soft_shadow() -> App {
+    let mut app = of_scene("soft-shadow", 100, 40, |_| ());
+    settle(&mut app);
+    app
+}
+
+/// Every pixel that is known is the tracer's with the present settings.
+fn is_as_set(app: &App) {
+    let (width, height) = app.picture.size;
+    for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        let traced = pixel(&app.world, &app.settings, at, &mut Silent).color;
+        assert_eq!(app.picture.exact(at), Some(traced), "{at:?}");
+    }
+}
+
+#[test]
+fn each_effect_stands_there_with_the_reason_that_the_command_tells() {
+    for scene in ["soft-shadow", "whitted", "triangle"] {
+        let mut app = of_scene(scene, 200, 40, |_| ());
+        keys(&mut app, "e");
+        let screen = text(&app);
+        for finding in findings(&app.world.scene) {
+            let row = screen.lines().find(|l| l.contains(finding.effect.name()));
+            let row = row.expect("a row");
+            let state = if finding.on { " on " } else { "off " };
+            assert!(row.replace('▶', " ").contains(state), "{row}");
+            // Reasons are wrapped: the first words stand beside the name.
+            let start: String = finding.reason.chars().take(20).collect();
+            assert!(row.contains(&start), "{start} is not in {row}");
+        }
+        keys(&mut app, "e");
+        assert!(!text(&app).contains("effects (↓ ↑ choose"));
+    }
+}
+
+#[test]
+fn an_effect_that_is_left_out_is_rendered_without_named_and_taken_in_again() {
+    let mut app = soft_shadow();
+    let whole = text(&app);
+    keys(&mut app, "ej ");
+    assert!(!app.settings.effects.has(Effect::SoftShadows));
+    let panel = text(&app);
+    assert!(panel.contains("left out soft-shadows"), "{panel}");
+    assert!(panel.contains("one shadow ray to the middle"), "{panel}");
+    keys(&mut app, "q");
+    let hard = text(&app);
+    assert!(hard.contains(" without soft-shadows "), "{hard}");
+    assert!(hard.contains("--without soft-shadows"), "{hard}");
+    is_as_set(&app);
+    keys(&mut app, "ej q");
+    assert_eq!(text(&app), whole);
+    is_as_set(&app);
+}
+
+#[test]
+fn an_open_tree_is_traced_again_without_it() {
+    let mut app = soft_shadow();
+    app.handle(super::Action::Move(0, 15));
+    key(&mut app, KeyCode::Enter);
+    let lights = |app: &App| {
+        let session = app.session.as_ref().expect("a tree");
+        let nodes = session.tree().nodes.iter();
+        nodes
+            .filter(|n| n.sent.kind == crate::probe::RayKind::Light)
+            .count()
+    };
+    assert_eq!(lights(&app), 4 * 16);
+    keys(&mut app, "ej ");
+    assert_eq!(lights(&app), 4);
+    keys(&mut app, "k ");
+    assert_eq!(lights(&app), 0);
+    keys(&mut app, "q");
+    let title = text(&app).lines().next().expect("a title").to_owned();
+    assert!(title.contains("without shadows, soft-shadows"), "{title}");
+    keys(&mut app, "e j q");
+    assert_eq!(lights(&app), 4 * 16);
+}
+
+#[test]
+fn what_the_scene_does_not_call_for_cannot_be_switched() {
+    let mut app = soft_shadow();
+    let before = app.settings;
+    keys(&mut app, "ejjjj ");
+    assert_eq!(app.settings, before);
+    let said = "refraction would change nothing: no material has a transmission coefficient";
+    assert!(text(&app).contains(said), "{}", text(&app));
+}
