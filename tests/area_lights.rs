@@ -7,11 +7,12 @@ use std::f64::consts::PI;
 
 use floor::{LAMP, SQUARE, floor, irradiance, part, polygon, runs, settings};
 use raytree::accel::AccelKind;
-use raytree::geometry::{Disc, Shape, Sphere, Triangle};
+use raytree::geometry::{Aabb, Cuboid, Disc, Shape, Sphere, Triangle};
 use raytree::math::points::Run;
 use raytree::math::{DVec3, LightSampling, Rgb, Sampler};
 use raytree::scene::{self, Settings, World};
 use raytree::shading::Area;
+use raytree::shading::area::Form;
 use raytree::trace::{View, trace_pixel};
 
 /// Every sampler that has chance in it hits the true value: |z| < 4.3, which one honest test in 10^5 exceeds; there
@@ -115,19 +116,36 @@ fn points(area: &Area, from: DVec3) -> Vec<DVec3> {
         .collect()
 }
 
-/// Chi-square of counts that should all be equal; 8 x 8 cells: 63 degrees of freedom, 99.999 % below 124.
-fn even(cells: impl Iterator<Item = [f64; 2]>, what: &str) {
-    let mut counts = [0.0; 64];
-    for [u, v] in cells {
-        let place = |x: f64| ((x * 8.0) as usize).min(7);
-        counts[place(v) * 8 + place(u)] += 1.0;
+/// Chi-square of the counts of cells against their shares, which add up to 1. Seven such tests at p = 0.01 in all:
+/// z < 2.98, where z is nearly normal (Wilson and Hilferty 1931).
+fn follows(shares: &[f64], cells: impl Iterator<Item = usize>, what: &str) {
+    let mut counts = vec![0.0; shares.len()];
+    for cell in cells {
+        counts[cell] += 1.0;
     }
-    let expected = counts.iter().sum::<f64>() / 64.0;
+    let all = counts.iter().sum::<f64>();
+    let least = shares.iter().fold(f64::INFINITY, |a, b| a.min(*b)) * all;
+    assert!(least > 100.0, "{what}: the test is blind with {least}");
     let chi: f64 = counts
         .iter()
-        .map(|n| (n - expected) * (n - expected) / expected)
+        .zip(shares)
+        .map(|(n, share)| (n - share * all) * (n - share * all) / (share * all))
         .sum();
-    assert!(expected > 500.0 && chi < 124.0, "{what}: {chi}");
+    let freedom = shares.len() as f64 - 1.0;
+    let off = 2.0 / (9.0 * freedom);
+    let z = (libm::cbrt(chi / freedom) - (1.0 - off)) / off.sqrt();
+    assert!(z < 2.98, "{what}: chi-square {chi} of {freedom}, z = {z}");
+}
+
+/// The cell, of `n` x `n` in the unit square.
+fn cell(n: usize, [u, v]: [f64; 2]) -> usize {
+    let place = |x: f64| ((x * n as f64) as usize).min(n - 1);
+    place(v) * n + place(u)
+}
+
+/// As many points in each of 8 x 8 cells.
+fn even(places: impl Iterator<Item = [f64; 2]>, what: &str) {
+    follows(&[1.0 / 64.0; 64], places.map(|p| cell(8, p)), what);
 }
 
 #[test]
@@ -170,6 +188,73 @@ fn points_are_even_on_every_form() {
             [(1.0 + d.z) / most, turn(d.x, d.y)]
         }),
         "sphere from outside",
+    );
+}
+
+#[test]
+fn points_are_even_on_parallelograms_meshes_and_boxes() {
+    let area = |shapes: &[Shape]| Area::new(shapes, Rgb::WHITE).expect("an area");
+    let triangle = |corners: [DVec3; 3]| Shape::Triangle(Triangle { corners });
+    let from = DVec3::new(0.3, -4.0, 0.2);
+    // A slanted parallelogram: the parts of its edges tell the place.
+    let (a, u, v) = (
+        DVec3::NEG_ONE,
+        DVec3::new(2.0, 0.0, 0.5),
+        DVec3::new(1.0, 1.0, 2.0),
+    );
+    let light = area(&[
+        triangle([a, a + u, a + u + v]),
+        triangle([a, a + u + v, a + v]),
+    ]);
+    assert!(matches!(light.form, Form::Parallelogram(..)));
+    let across = u.cross(v);
+    let part = |p: DVec3, other: DVec3| (p - a).cross(other).dot(across) / across.length_squared();
+    even(
+        points(&light, from)
+            .iter()
+            .map(|p| [part(*p, v), -part(*p, u)]),
+        "parallelogram",
+    );
+    // A square of four triangles, of 1, 2, 3 and 4 tenths of it, that meet inside.
+    let square =
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, z]| DVec3::new(x, 0.0, z));
+    let middle = DVec3::new(0.4, 0.0, 0.2);
+    let sides = [0, 1, 2, 3].map(|i| triangle([square[i], square[(i + 1) % 4], middle]));
+    let light = area(&sides);
+    assert!(matches!(&light.form, Form::Mesh(triangles) if triangles.len() == 4));
+    even(
+        points(&light, from)
+            .iter()
+            .map(|p| [(p.x + 1.0) / 2.0, (p.z + 1.0) / 2.0]),
+        "mesh",
+    );
+    // A box of 1 x 2 x 3: each side by its area, and even on it.
+    let size = DVec3::new(1.0, 2.0, 3.0);
+    let light = area(&[Shape::Cuboid(Cuboid {
+        bounds: Aabb {
+            min: DVec3::ZERO,
+            max: size,
+        },
+    })]);
+    let side_of = |p: DVec3| {
+        let part = p / size;
+        let axis = (0..3).min_by(|i, j| {
+            let off = |i: usize| part[i].min(1.0 - part[i]).abs();
+            off(*i).total_cmp(&off(*j))
+        });
+        let axis = axis.expect("three axes");
+        let side = 2 * axis + usize::from(part[axis] > 0.5);
+        16 * side + cell(4, [part[(axis + 1) % 3], part[(axis + 2) % 3]])
+    };
+    let [x, y, z] = size.to_array();
+    let shares: Vec<f64> = [y * z, y * z, z * x, z * x, x * y, x * y]
+        .iter()
+        .flat_map(|side| [side / 22.0 / 16.0; 16])
+        .collect();
+    follows(
+        &shares,
+        points(&light, from).into_iter().map(side_of),
+        "box",
     );
 }
 
