@@ -96,7 +96,9 @@ impl Sampler {
             Self::Sobol => {
                 let scramble = mix(key ^ u64::from(index / SOBOL_POINTS)) as u32;
                 let index = index % SOBOL_POINTS;
-                [0, 1].map(|axis| f64::from(sobol_burley::sample(index, axis, scramble)))
+                // Four axes at once are quicker than two one after the other.
+                let [x, y, ..] = sobol_burley::sample_4d(index, 0, scramble);
+                [f64::from(x), f64::from(y)]
             }
         }
     }
