@@ -1,11 +1,11 @@
 //! Trees: whatever they are made of, they say what the list says, which has no tree to go wrong.
 
 use raytree::accel::{Accel, AccelKind};
-use raytree::geometry::{Hit, Shape, Sphere};
+use raytree::geometry::{Hit, Intersection, Shape, Sphere};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::probe::Silent;
 
-use super::support::{Mesh, Random, all, bits, count, towards, triangle};
+use super::support::{Mesh, Random, all, bits, count, test, towards, triangle};
 
 /// Shapes that trees find hard: points on a coarse grid, so that corners, edges and planes coincide; the same triangle
 /// many times; needles; all of it far off.
@@ -118,6 +118,70 @@ fn case_14_a_triangle_many_times() {
     }
 }
 
+/// Polygons on a grid in a plane that is not along the axes, whose points are on it exactly: 2x + y + 4z = 0.
+fn slanted(random: &mut Random) -> Shape {
+    let mut corner = || {
+        let [x, z] = [0; 2].map(|_| (64.0 * random.unit()).round() / 16.0);
+        DVec3::new(x, -2.0 * x - 4.0 * z, z)
+    };
+    triangle([corner(), corner(), corner()])
+}
+
+/// Source: case 15. Expected: of polygons that overlap in one plane every tree, and every number of rays at once, finds the same,
+/// from everywhere. Which one that is, rounding decides: what t is of each of them differs by it and by no more, so the
+/// smaller number does not always win, but what does is as near as any can be told to be.
+#[test]
+fn case_15_polygons_that_overlap_in_one_plane() {
+    let mut random = Random(15);
+    let (mut met, mut overlaps, mut later, mut most) = (0, 0, 0, 0.0f64);
+    for _ in 0..count(100, 10) {
+        let shapes: Vec<Shape> = (0..12).map(|_| slanted(&mut random)).collect();
+        for eye in [
+            DVec3::new(3.0, 9.0, 20.0),
+            DVec3::new(-20.0, 3.0, 1.0),
+            DVec3::splat(-7.0),
+        ] {
+            let rays: Vec<Ray> = (0..count(500, 200))
+                .filter_map(|_| {
+                    let [x, z] = [0; 2].map(|_| 4.0 * random.unit());
+                    towards(eye, DVec3::new(x, -2.0 * x - 4.0 * z, z))
+                })
+                .collect();
+            for ray in &rays {
+                let found: Vec<f64> = shapes
+                    .iter()
+                    .filter_map(|shape| match test(shape, ray) {
+                        Intersection::Hit { t, .. } => Some(t),
+                        _ => None,
+                    })
+                    .collect();
+                let nearest = found.iter().copied().fold(f64::INFINITY, f64::min);
+                for t in &found {
+                    most = most.max((t - nearest) / nearest);
+                }
+                overlaps += usize::from(found.len() > 1);
+                later += usize::from(found.first().is_some_and(|t| *t > nearest));
+            }
+            met += as_the_list("slanted", &shapes, rays.iter().copied());
+            let accels = all(&shapes);
+            let asked: Vec<_> = rays.iter().map(|ray| (*ray, Interval::FORWARD)).collect();
+            let together = |accel: &Accel| {
+                let mut hits = vec![None; asked.len()];
+                accel.closest_many(&shapes, &asked, &mut hits);
+                hits
+            };
+            let expected = together(&accels[0].1);
+            for (kind, accel) in &accels {
+                assert_eq!(together(accel), expected, "{kind:?}");
+            }
+        }
+    }
+    println!("{met} hits, {overlaps} of several, {later} not of the first; t apart by {most:e}");
+    assert!(met > 1000 && overlaps > met / 4, "{met} {overlaps}");
+    // A few roundings of coordinates up to 30, seen at a slant.
+    assert!(most < 1e-13, "{most:e}");
+}
+
 /// Source: case 16. Expected: whatever the corners are, building and searching end, and all say the same.
 #[test]
 fn case_16_a_mesh_of_random_bits() {
@@ -222,6 +286,36 @@ fn case_36_38_what_touches_a_plane_is_not_cut() {
         (1, flat.len()),
         "{stats:?}"
     );
+}
+
+/// Source: case 37. Expected: what reaches over a polygon's plane by less than rounding can tell is not cut by it: not one
+/// polygon, and not thousands.
+#[test]
+fn case_37_what_reaches_over_a_plane_by_a_float_is_not_cut() {
+    let p = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+    let wall = [p(1.0, -9.0, -9.0), p(1.0, 9.0, -9.0), p(1.0, 0.0, 9.0)];
+    let mut random = Random(37);
+    for over in [1.0_f64.next_up(), 1.0_f64.next_down()] {
+        let beyond = if over > 1.0 { -1.0 } else { 3.0 };
+        let mut shapes = vec![triangle(wall)];
+        for _ in 0..count(3_000, 500) {
+            let mut at = |x: f64| p(x, 8.0 * random.unit(), 8.0 * random.unit());
+            shapes.push(triangle([at(over), at(1.0), at(beyond)]));
+        }
+        let few = &shapes[..3];
+        let stats = Accel::build(AccelKind::BspPolygon, few).stats();
+        assert_eq!(stats.references, 3, "{over}: {stats:?}");
+        // What planes cut otherwise is bounded for all.
+        for (kind, accel) in all(&shapes) {
+            let stats = accel.stats();
+            assert!(stats.references <= 8 * shapes.len(), "{kind:?}: {stats:?}");
+        }
+        let rays = (0..count(500, 100)).filter_map(|_| {
+            let to = p(1.0, 8.0 * random.unit(), 8.0 * random.unit());
+            towards(p(20.0 * random.unit(), 0.0, 0.0), to)
+        });
+        assert!(as_the_list("over", &shapes, rays) > 50);
+    }
 }
 
 /// Source: cases 40 and 41. Expected: rays in the planes that split, from points on them, and from points on polygons find what

@@ -41,51 +41,58 @@ struct Builder<'a> {
 
 /// Builds the tree over `shapes`, with the planes of the polygons or only with planes along the axes.
 pub fn build(shapes: &[Shape], polygons: bool) -> Bsp {
-    let (mut items, mut outside) = (Vec::with_capacity(shapes.len()), Vec::new());
-    let (mut reach, mut condition) = (0.0f64, 0.0f64);
-    for (id, shape) in shapes.iter().enumerate() {
-        let (r, c) = conditioning(shape);
-        let sharp = c <= Slack::MAX_CONDITION && r <= Slack::MAX_REACH;
-        match Item::whole(id as u32, shape) {
-            Some(item) if sharp => {
-                reach = reach.max(r);
-                condition = condition.max(c);
-                items.push(item);
-            }
-            _ => outside.push(id as u32),
-        }
+    let (mut builder, root) = Builder::new(shapes, polygons);
+    if !root.items.is_empty() {
+        builder.grow(root);
     }
-    let bounds = sah::bounds_of(&items);
-    let count = items.len();
-    let mut builder = Builder {
-        shapes,
-        tree: Bsp {
-            bounds,
-            nodes: Vec::new(),
-            normals: Vec::new(),
-            references: Vec::with_capacity(count),
-            outside,
-            slack: Slack::new(reach, condition),
-            depth: 0,
-            rounded: None,
-        },
-        polygons,
-        tolerance: 32.0 * UNIT_ROUNDOFF * reach,
-        max_depth: (8 + 2 * count.max(1).ilog2()).min(MAX_DEPTH),
-    };
-    if count > 0 {
-        builder.grow(Task {
+    builder.tree
+}
+
+impl<'a> Builder<'a> {
+    /// A tree without nodes, and the cell of all that will be in it.
+    fn new(shapes: &'a [Shape], polygons: bool) -> (Self, Task) {
+        let (mut items, mut outside) = (Vec::with_capacity(shapes.len()), Vec::new());
+        let (mut reach, mut condition) = (0.0f64, 0.0f64);
+        for (id, shape) in shapes.iter().enumerate() {
+            let (r, c) = conditioning(shape);
+            let sharp = c <= Slack::MAX_CONDITION && r <= Slack::MAX_REACH;
+            match Item::whole(id as u32, shape) {
+                Some(item) if sharp => {
+                    reach = reach.max(r);
+                    condition = condition.max(c);
+                    items.push(item);
+                }
+                _ => outside.push(id as u32),
+            }
+        }
+        let bounds = sah::bounds_of(&items);
+        let count = items.len();
+        let builder = Self {
+            shapes,
+            tree: Bsp {
+                bounds,
+                nodes: Vec::new(),
+                normals: Vec::new(),
+                references: Vec::with_capacity(count),
+                outside,
+                slack: Slack::new(reach, condition),
+                depth: 0,
+                rounded: None,
+            },
+            polygons,
+            tolerance: 32.0 * UNIT_ROUNDOFF * reach,
+            max_depth: (8 + 2 * count.max(1).ilog2()).min(MAX_DEPTH),
+        };
+        let root = Task {
             items,
             cell: bounds,
             depth: 0,
             spare: (MAX_REFERENCES - 1) * count,
             parent: None,
-        });
+        };
+        (builder, root)
     }
-    builder.tree
-}
 
-impl Builder<'_> {
     /// Works through the cells, front before back, so that nodes come to lie depth first.
     fn grow(&mut self, root: Task) {
         let mut work = vec![root];
@@ -230,3 +237,6 @@ fn every(items: &[Item], count: usize) -> impl Iterator<Item = &Item> {
     let step = items.len().div_ceil(count).max(1);
     items.iter().skip(step / 2).step_by(step)
 }
+
+#[cfg(test)]
+mod tests;
