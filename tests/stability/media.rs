@@ -83,23 +83,40 @@ impl Solid {
         } = self;
         format!(r#""{name}": {{"transmission": [1, 1, 1], "ior": {ior}, "priority": {priority}}}"#)
     }
+}
+
+/// A solid with what tells whether a point is inside.
+struct Body {
+    solid: Solid,
+    make: Make,
+    /// Of a globe, the plane of every face: a point on it and its normal.
+    faces: Vec<(DVec3, DVec3)>,
+}
+
+impl Body {
+    fn new(solid: Solid, make: Make) -> Self {
+        let globe = solid.globe();
+        let plane = |face| {
+            let [a, b, c] = globe.corners(face);
+            (a, (b - a).cross(c - a).normalize())
+        };
+        Self {
+            solid,
+            make,
+            faces: (0..globe.faces.len()).map(plane).collect(),
+        }
+    }
 
     /// Whether a point is inside; `None` if it is too near to the surface for simple arithmetic to tell.
-    fn contains(&self, make: Make, p: DVec3) -> Option<bool> {
-        let local = p - self.y * DVec3::Y;
-        let depth = match make {
-            Make::Sphere => self.half - local.length(),
-            Make::Box => self.half - local.abs().max_element(),
+    fn contains(&self, p: DVec3) -> Option<bool> {
+        let local = p - self.solid.y * DVec3::Y;
+        let depth = match self.make {
+            Make::Sphere => self.solid.half - local.length(),
+            Make::Box => self.solid.half - local.abs().max_element(),
             // Behind the planes of all faces.
             Make::Globe => {
-                let globe = self.globe();
-                let behind = |face| {
-                    let [a, b, c] = globe.corners(face);
-                    (b - a).cross(c - a).normalize().dot(a - p)
-                };
-                (0..globe.faces.len())
-                    .map(behind)
-                    .fold(f64::INFINITY, f64::min)
+                let behind = self.faces.iter().map(|(a, normal)| normal.dot(a - p));
+                behind.fold(f64::INFINITY, f64::min)
             }
         };
         (depth.abs() > 1e-9).then_some(depth > 0.0)
@@ -143,6 +160,7 @@ struct Met {
 /// of highest priority that contains the place where it is.
 fn follow(world: &World, size: u32, solids: &[Solid], make: Make) -> Met {
     let settings = settings(size);
+    let bodies: Vec<Body> = solids.iter().map(|s| Body::new(*s, make)).collect();
     let mut met = Met::default();
     let check = |met: &mut Met, trace: &PixelTrace| {
         for (id, node) in trace.tree.nodes.iter().enumerate() {
@@ -159,8 +177,7 @@ fn follow(world: &World, size: u32, solids: &[Solid], make: Make) -> Met {
                 other => panic!("{other:?}"),
             };
             let middle = sent.origin + 0.5 * end * sent.direction;
-            let inside: Option<Vec<bool>> =
-                solids.iter().map(|s| s.contains(make, middle)).collect();
+            let inside: Option<Vec<bool>> = bodies.iter().map(|b| b.contains(middle)).collect();
             let Some(inside) = inside else { continue };
             met.told += 1;
             let around = solids.iter().zip(inside).filter(|(_, inside)| *inside);
