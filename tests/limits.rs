@@ -10,9 +10,10 @@ use std::fmt::Write;
 use assert_cmd::Command;
 use raytree::probe::{Event, Probe};
 use raytree::scene::limits::{
-    IOR, MAX_COORDINATE, MAX_CORNERS, MAX_DEPTH, MAX_EDGE, MAX_EVENT_BYTES, MAX_EVENTS,
-    MAX_EXPONENT, MAX_FILE_BYTES, MAX_GROUP_DEPTH, MAX_LIGHT_SAMPLES, MAX_LIGHTS, MAX_NAME_BYTES,
-    MAX_NESTING, MAX_PIXELS, MAX_PRIMITIVES, MAX_RADIANCE, MAX_SAMPLES, MAX_WARNINGS, table,
+    IOR, MAX_COORDINATE, MAX_CORNERS, MAX_DEPTH, MAX_DIAGRAM_NODES, MAX_EDGE, MAX_EVENT_BYTES,
+    MAX_EVENTS, MAX_EXPONENT, MAX_FILE_BYTES, MAX_GROUP_DEPTH, MAX_LIGHT_SAMPLES, MAX_LIGHTS,
+    MAX_NAME_BYTES, MAX_NESTING, MAX_PIXELS, MAX_PRIMITIVES, MAX_RADIANCE, MAX_SAMPLES,
+    MAX_WARNINGS, table,
 };
 use raytree::scene::{Scene, load, load_held};
 use raytree::trace::Recorder;
@@ -274,7 +275,7 @@ fn warnings_are_counted_where_they_are_not_kept() {
 
 #[test]
 fn a_recording_keeps_what_there_is_room_for() {
-    // The real limit is made of the same numbers; ten million events would be a test of patience.
+    // The real limit is reached below.
     let mut recorder = Recorder::<true>::with_limit(1000);
     (0..1003).for_each(|_| recorder.event(Event::Miss));
     assert_eq!((recorder.events.len(), recorder.dropped), (1000, 3));
@@ -295,6 +296,119 @@ fn said(arguments: &[&str], code: i32) -> String {
     let said = String::from_utf8(output.stderr).expect("UTF-8");
     assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said}");
     said
+}
+
+/// 262,144 triangles without a tree make as many events a ray: enough of them are quickly there.
+#[test]
+fn a_log_that_is_full_ends_with_status_three() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let diagram = folder.path().join("a.dot").display().to_string();
+    let trace = |samples: &str, code: i32| {
+        let scene = ["trace", "spd:tetra:9", "--accel", "list", "--traversal"];
+        let pixel = ["--pixel", "160,120", "--samples", samples];
+        let to = ["--format", "dot", "-o", &diagram];
+        said(&[&scene[..], &pixel, &to].concat(), code)
+    };
+    assert_eq!(trace("20", 0), "");
+    let full = trace("36", 3);
+    assert!(
+        full.contains("the log is full") && full.contains("events were not kept"),
+        "{full}"
+    );
+    // What it ends in is still a tree, whose last ray has no end.
+    let text = std::fs::read_to_string(&diagram).expect("a diagram");
+    assert_eq!(text.matches("\\ncut\\n").count(), 1, "{text}");
+}
+
+#[test]
+fn nodes_of_a_diagram() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("tree");
+    let trace = |format: &str, depth: &str| {
+        let place = path.display().to_string();
+        let scene = [
+            "trace",
+            "nested-glass",
+            "--pixel",
+            "160,120",
+            "--min-weight",
+            "0",
+        ];
+        let to = ["--depth", depth, "--format", format, "-o", &place];
+        assert_eq!(said(&[&scene[..], &to].concat(), 0), "");
+        std::fs::read_to_string(&path).expect("a tree")
+    };
+    for (depth, many) in [("6", false), ("14", true)] {
+        // Every ray has a number.
+        let nodes = trace("json", depth).matches("\"id\": ").count();
+        assert_eq!(nodes > MAX_DIAGRAM_NODES, many, "{nodes}");
+        let shown = nodes.min(MAX_DIAGRAM_NODES);
+        let more = format!("{} more rays", nodes - shown);
+        let dot = trace("dot", depth);
+        // All but the eye ray have one that sent them.
+        let sent = dot.lines().filter(|l| l.contains(" -> n")).count();
+        assert_eq!((sent, dot.contains(&more)), (shown - 1, many));
+        let svg = trace("svg", depth);
+        assert_eq!(svg.contains(&more), many);
+    }
+}
+
+/// No number that a file may hold makes light without end: so many lights, as strong and as near as they may be, on the
+/// brightest of surfaces, seen in mirrors, are far below what `f64` can hold, and squares of them too.
+#[test]
+fn the_brightest_scene_is_finite() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.json");
+    let (r, n) = (MAX_RADIANCE, MAX_LIGHTS);
+    let light = |i: usize| {
+        format!(
+            r#"{{"point": {{"name": "l{i}", "position": [0, 0, 4], "intensity": [{r:e}, {r:e}, {r:e}], "attenuation": [1e-100, 0, 0]}}}}"#
+        )
+    };
+    let lights: Vec<String> = (0..n).map(light).collect();
+    let all = format!("[{r:e}, {r:e}, {r:e}]");
+    let material = format!(
+        r#""diffuse": {all}, "specular": {all}, "shininess": 0, "emission": {all}, "mirror": [1, 1, 1]"#
+    );
+    let mirror = |name: &str, z: i32| {
+        let normal = -z.signum();
+        format!(
+            r#"{{"plane": {{"name": "{name}", "material": "m", "point": [0, 0, {z}], "normal": [0, 0, {normal}]}}}}"#
+        )
+    };
+    let text = format!(
+        r#"{{{CAMERA}, "background": {all}, "ambient": {all}, "materials": {{"m": {{{material}}}}}, "lights": [{}], "objects": [{}, {}]}}"#,
+        lights.join(","),
+        mirror("front", -1),
+        mirror("back", 6)
+    );
+    std::fs::write(&path, text).expect("a file");
+    let scene = path.display().to_string();
+    let picture = folder.path().join("a.png").display().to_string();
+    let errors = folder.path().join("e.pfm").display().to_string();
+    let common = [
+        "--size",
+        "2x2",
+        "--depth",
+        "4",
+        "--samples",
+        "2",
+        "--sampling",
+        "sobol",
+    ];
+    let files = ["-o", &picture, "--error-map", &errors];
+    let render = [&["render", &scene][..], &common, &files].concat();
+    assert_eq!(said(&render, 0), "");
+    let tree = folder.path().join("t.json").display().to_string();
+    let to = ["--pixel", "1,1", "-o", &tree];
+    assert_eq!(
+        said(&[&["trace", &scene][..], &common, &to].concat(), 0),
+        ""
+    );
+    let text = std::fs::read_to_string(&tree).expect("a tree");
+    let tree: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let red = tree["color"]["linear"][0].as_f64().expect("a number");
+    assert!(red > 1e127 && red < 1e130, "{red:e}");
 }
 
 #[test]

@@ -93,9 +93,7 @@ impl Files {
             return self.accept(bytes);
         }
         let (file, length) = regular(path)?;
-        if length > MAX_FILE_BYTES {
-            return Err(too_large(MAX_FILE_BYTES, "a file"));
-        }
+        self.room_for(length)?;
         let mut bytes = Vec::with_capacity(length as usize + 1);
         file.take(MAX_FILE_BYTES + 1)
             .read_to_end(&mut bytes)
@@ -105,16 +103,22 @@ impl Files {
 
     /// Takes a file that was read, as text.
     fn accept(&mut self, bytes: Vec<u8>) -> Result<String, Problem> {
-        self.bytes += bytes.len() as u64;
         // It may have grown since it was asked for its length.
-        if bytes.len() as u64 > MAX_FILE_BYTES {
-            return Err(too_large(MAX_FILE_BYTES, "a file"));
-        }
-        if self.bytes > MAX_SCENE_BYTES {
-            return Err(too_large(MAX_SCENE_BYTES, "all files of a scene together"));
-        }
+        self.room_for(bytes.len() as u64)?;
+        self.bytes += bytes.len() as u64;
         self.take(&bytes);
         text(bytes)
+    }
+
+    /// An error if a file is so long that it, or all of them together, is too much.
+    fn room_for(&self, length: u64) -> Result<(), Problem> {
+        if length > MAX_FILE_BYTES {
+            return Err(too_large(MAX_FILE_BYTES, "a file"));
+        }
+        if self.bytes.saturating_add(length) > MAX_SCENE_BYTES {
+            return Err(too_large(MAX_SCENE_BYTES, "all files of a scene together"));
+        }
+        Ok(())
     }
 
     /// The text of a file that a scene file names. `None` if there is no such file.
@@ -253,6 +257,27 @@ mod tests {
         }
         for good in ["a.mtl", "models/a b.mtl", "./a.mtl", "..a"] {
             assert_eq!(check_name(good), Ok(()), "{good:?}");
+        }
+    }
+
+    #[test]
+    fn all_files_of_a_scene_have_a_limit_together() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.mtl");
+        fs::write(&path, "newmtl a\nKd 1 1 1\n").expect("a file");
+        let held = BTreeMap::from([("a.mtl".to_owned(), fs::read(&path).expect("written"))]);
+        let length = fs::metadata(&path).expect("written").len();
+        for mut files in [Files::beside(&path), Files::held(held)] {
+            // As if files of so many bytes had been read before.
+            files.bytes = MAX_SCENE_BYTES - 2 * length;
+            for _ in 0..2 {
+                assert!(files.read("a.mtl").is_ok_and(|text| text.is_some()));
+            }
+            let refused = files.read("a.mtl").expect_err("no byte is left");
+            assert!(
+                format!("{refused:?}").contains("512 MiB at most"),
+                "{refused:?}"
+            );
         }
     }
 
