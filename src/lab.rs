@@ -8,6 +8,7 @@ pub mod front;
 pub mod knobs;
 pub mod plot;
 pub mod stability;
+pub mod strip;
 pub mod until;
 
 pub use cost::{Lab, Measured, Sweep};
@@ -15,3 +16,4 @@ pub use effort::{Effort, Price, affordable};
 pub use error::{Errors, Reference};
 pub use front::Slopes;
 pub use knobs::{Knob, knobs};
+pub use strip::Strip;

@@ -243,3 +243,95 @@ fn tables_lines_and_a_plot_are_written() {
         "{csv}"
     );
 }
+
+#[test]
+fn a_picture_from_a_file_is_what_it_is_measured_against() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let of = ["triangle", "--samples", "4", "--sampling", "regular"];
+    for (file, nearest) in [("a.pfm", 1e-7), ("a.png", 3e-3)] {
+        let path = place(file);
+        let rendered = Command::new(env!("CARGO_BIN_EXE_raytree"))
+            .arg("render")
+            .args([&of[..], &["--size", "16x12", "-o", &path]].concat())
+            .status();
+        assert!(rendered.expect("runs").success());
+        let args = ["triangle", "--runs", "1", "--most", "4", "--reference"];
+        let args = [&args[..], &[&path, "--knob", "pixel-samples-regular"]].concat();
+        let document = json(&args);
+        let steps = &sweep(&document, "pixel samples, regular")["steps"];
+        let rmse = |step: usize| steps[step]["errors"]["rmse"].as_f64().expect("a number");
+        assert!(rmse(1) < nearest && rmse(0) > 5.0 * nearest, "{steps:#}");
+        let again = document["again"].as_str().expect("a command");
+        assert!(
+            again.contains("--size 16x12") && again.contains(&path),
+            "{again}"
+        );
+        // Of another size.
+        let out = cost(&[&args[..], &["--size", "12x16"]].concat());
+        let said = String::from_utf8_lossy(&out.stderr);
+        assert_eq!(out.status.code(), Some(1));
+        let wanted = "has 16x12 pixels, and the pictures are to have 12x16";
+        assert!(said.contains(file) && said.contains(wanted), "{said}");
+    }
+    // No picture, and a file that is not there.
+    let text = place("a.txt");
+    std::fs::write(&text, "PNG?").expect("room on the disk");
+    std::fs::write(place("b.png"), b"\x89PNG\r\n\x1a\n????").expect("room on the disk");
+    for (file, wanted) in [
+        (text, "neither a PFM nor a PNG"),
+        (place("b.png"), "is no PNG file that can be read"),
+        (place("no.pfm"), "cannot be read"),
+    ] {
+        let out = cost(&["triangle", "--reference", &file]);
+        let said = String::from_utf8_lossy(&out.stderr);
+        assert_eq!(out.status.code(), Some(1));
+        assert!(said.contains(wanted), "{said}");
+    }
+}
+
+#[test]
+fn a_strip_has_each_way_and_the_reference_side_by_side() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("strip.png");
+    let path = path.to_str().expect("a plain path");
+    let args = [
+        "soft-shadow",
+        "--size",
+        "24x18",
+        "--runs",
+        "1",
+        "--most",
+        "4",
+        "--budget",
+        "60",
+    ];
+    let knob = ["--knob", "light-samples", "--strip", path];
+    let out = cost(&[&args[..], &knob[..]].concat());
+    let text = String::from_utf8(out.stdout).expect("UTF-8");
+    let (_, told) = text.split_once("crops in").expect("what the crops are");
+    let names: Vec<&str> = told
+        .lines()
+        .filter_map(|line| line.strip_prefix("    ")?.split(' ').next())
+        .collect();
+    let ways = ["grid", "random", "stratified", "sobol", "projected", "the"];
+    assert_eq!(names, ways, "{text}");
+    // 24 x 18 pixels, 4 times as large, with 4 pixels around.
+    let png = std::fs::read(path).expect("a picture");
+    let film = raytree::tracer::picture::png::decode(&png, 1.0).expect("a picture");
+    assert_eq!((film.width, film.height), (6 * 100 + 4, 76 + 4));
+    // Grey between, and crops that differ from each other in noise only.
+    let grey = film.at(102, 40);
+    assert_eq!(grey, film.at(2, 40));
+    let mean = |tile: u32| {
+        let places = (4..76).flat_map(|y| (4..100).map(move |x| (x, y)));
+        let sum: f64 = places
+            .map(|(x, y)| film.at(100 * tile + x, y).luminance())
+            .sum();
+        sum / (96.0 * 72.0)
+    };
+    for tile in 0..5 {
+        let off = (mean(tile) / mean(5) - 1.0).abs();
+        assert!(off < 0.05 && off > 0.0, "{tile}: {off}");
+    }
+}

@@ -2,6 +2,7 @@
 
 mod chart;
 mod record;
+mod reference;
 mod table;
 
 use std::fmt::Write as _;
@@ -15,9 +16,12 @@ use super::again::quoted;
 use super::settings::SceneArgs;
 use super::{Done, Failure, output};
 use crate::accel::fastest;
-use crate::lab::{Effort, Knob, Lab, Price, Sweep, affordable, knobs, plot};
+use crate::lab::{
+    Effort, Knob, Lab, Price, Reference, Strip, Sweep, affordable, knobs, plot, strip,
+};
 use crate::scene::limits::MAX_SECONDS;
 use crate::scene::{Sampling, Settings, World, flags};
+use crate::tracer::picture::png;
 
 /// The size of the pictures if none is asked for: small, since many are rendered.
 const SIZE: (u32, u32) = (120, 90);
@@ -27,6 +31,9 @@ const PLANNED: usize = 3;
 
 /// The part of the budget that measuring may use; the rest is for writing.
 const MEASURING: f64 = 0.95;
+
+/// The same if a strip is to be rendered after it.
+const BEFORE_STRIP: f64 = 0.75;
 
 #[derive(Args)]
 pub struct Cost {
@@ -54,15 +61,36 @@ pub struct Cost {
     /// Also draw error over time to an SVG file
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
+    /// Also put crops side by side into a PNG file: what each way of sampling makes of the same time
+    #[arg(long, value_name = "FILE.png")]
+    strip: Option<PathBuf>,
+    /// Measure against this PFM or PNG file instead of references that are rendered; the pictures have its size
+    #[arg(long, value_name = "FILE")]
+    reference: Option<PathBuf>,
     #[command(flatten)]
     scene: SceneArgs,
+}
+
+/// What was measured.
+struct Found {
+    sweeps: Vec<Sweep>,
+    strips: Vec<Strip>,
 }
 
 impl Cost {
     pub fn run(&self) -> Result<Done, Failure> {
         let start = Instant::now();
         let (world, asked) = self.scene.load(fastest)?;
-        let base = self.base(asked);
+        let given = match &self.reference {
+            Some(path) => {
+                let film = reference::read(path, asked.exposure)?;
+                reference::check_size(path, &film, self.scene.settings.size)?;
+                Some(film)
+            }
+            None => None,
+        };
+        let size = given.as_ref().map(|film| (film.width, film.height));
+        let base = self.base(asked, size.unwrap_or(SIZE));
         let threads = self.scene.settings.threads;
         let is_asked =
             |knob: &Knob| self.only.is_empty() || self.only.iter().any(|name| knob.is_called(name));
@@ -90,10 +118,17 @@ impl Cost {
             accel: base.accel,
             runs,
             threads,
-            given: None,
+            given: given.map(|film| Reference::new(film, base.exposure)),
+            reference: None,
         };
-        let end = start + Duration::from_secs_f64(self.budget * MEASURING);
-        let sweeps = measure_all(&mut lab, &knobs, price, end, &bar);
+        let measuring = if self.strip.is_some() {
+            BEFORE_STRIP
+        } else {
+            MEASURING
+        };
+        let ends =
+            [measuring, MEASURING].map(|part| start + Duration::from_secs_f64(self.budget * part));
+        let Found { sweeps, strips } = self.measure_all(&mut lab, &knobs, price, ends, &bar);
         bar.finish_and_clear();
 
         let again = self.again(&base, &lab.world, effort);
@@ -102,18 +137,29 @@ impl Cost {
             let svg = plot::svg(&title, &sweeps);
             output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
         }
+        let mut crops = String::new();
+        if let Some(path) = &self.strip {
+            let png = png::encode(&strip::picture(&strips), base.exposure);
+            output::write(Some(path), |out| {
+                out.write_all(&png.map_err(std::io::Error::other)?)
+            })?;
+            crops = table::strips(&strips, path);
+        }
         let text = if self.json {
             format!("{:#}\n", record::json(&sweeps, &again))
         } else if self.csv {
             record::csv(&sweeps)
         } else {
             format!(
-                "{title}; * nothing in its table is both cheaper (in rays) and nearer\n{}\n{}\nagain: {again}\n",
+                "{title}; * nothing in its table is both cheaper (in rays) and nearer\n{}\n{}\n{crops}again: {again}\n",
                 table::text(&sweeps),
                 chart::lines(&sweeps)
             )
         };
         output::to_stdout(text.as_bytes())?;
+        if self.json || self.csv {
+            eprint!("{crops}");
+        }
         let done: usize = sweeps.iter().map(|s| s.steps.len()).sum();
         if done < wanted {
             eprintln!(
@@ -126,10 +172,51 @@ impl Cost {
         Ok(Done::Whole)
     }
 
+    /// Measures group after group until the first of two ends, and renders strips until the second. Each group may take its
+    /// share of the time that is left, as its price is to that of all that are still to come.
+    fn measure_all(
+        &self,
+        lab: &mut Lab,
+        knobs: &[Knob],
+        price: Price,
+        [measuring, end]: [Instant; 2],
+        bar: &ProgressBar,
+    ) -> Found {
+        let groups: Vec<Vec<Knob>> = knobs
+            .chunk_by(|a, b| a.group == b.group)
+            .map(<[Knob]>::to_vec)
+            .collect();
+        let prices: Vec<f64> = groups.iter().map(|g| price.group(g, lab.runs)).collect();
+        let (mut sweeps, mut compared) = (Vec::new(), Vec::new());
+        for (i, group) in groups.into_iter().enumerate() {
+            let left = measuring.saturating_duration_since(Instant::now());
+            let share = prices[i] / prices[i..].iter().sum::<f64>();
+            let name = group[0].group;
+            let told = |step: &str| {
+                bar.set_message(format!("{name}: {step}"));
+                bar.inc(1);
+            };
+            let first = sweeps.len();
+            sweeps.extend(lab.measure(group, Instant::now() + left.mul_f64(share), &told));
+            compared.extend(lab.reference.take().map(|r| (first..sweeps.len(), r)));
+        }
+        bar.set_message("crops");
+        let wanted = if self.strip.is_some() {
+            compared
+        } else {
+            vec![]
+        };
+        let strips = wanted
+            .into_iter()
+            .filter_map(|(of, reference)| lab.strip(&sweeps[of], &reference, end))
+            .collect();
+        Found { sweeps, strips }
+    }
+
     /// What all knobs have in common: small pictures, one sample of everything, if nothing else is asked for.
-    fn base(&self, asked: Settings) -> Settings {
+    fn base(&self, asked: Settings, size: (u32, u32)) -> Settings {
         let args = &self.scene.settings;
-        let (width, height) = args.size.unwrap_or(SIZE);
+        let (width, height) = args.size.unwrap_or(size);
         Settings {
             width,
             height,
@@ -192,6 +279,9 @@ impl Cost {
                 &quoted(&name.replace(", ", "-").replace(' ', "-")),
             ]);
         }
+        if let Some(path) = &self.reference {
+            line.extend([" --reference ", &quoted(&path.display().to_string())]);
+        }
         let threads = self.scene.settings.threads;
         if threads != 0 {
             // Writing to a string cannot fail.
@@ -199,34 +289,6 @@ impl Cost {
         }
         line + &format!(" --runs {} --budget {}", self.runs, self.budget)
     }
-}
-
-/// Measures group after group. Each may take its share of the time that is left, as its price is to that of all that
-/// are still to come.
-fn measure_all(
-    lab: &mut Lab,
-    knobs: &[Knob],
-    price: Price,
-    end: Instant,
-    bar: &ProgressBar,
-) -> Vec<Sweep> {
-    let groups: Vec<Vec<Knob>> = knobs
-        .chunk_by(|a, b| a.group == b.group)
-        .map(<[Knob]>::to_vec)
-        .collect();
-    let prices: Vec<f64> = groups.iter().map(|g| price.group(g, lab.runs)).collect();
-    let mut sweeps = Vec::new();
-    for (i, group) in groups.into_iter().enumerate() {
-        let left = end.saturating_duration_since(Instant::now());
-        let share = prices[i] / prices[i..].iter().sum::<f64>();
-        let name = group[0].group;
-        let told = |step: &str| {
-            bar.set_message(format!("{name}: {step}"));
-            bar.inc(1);
-        };
-        sweeps.extend(lab.measure(group, Instant::now() + left.mul_f64(share), &told));
-    }
-    sweeps
 }
 
 fn progress_bar(steps: usize) -> ProgressBar {

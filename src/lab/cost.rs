@@ -69,6 +69,8 @@ pub struct Lab {
     pub threads: usize,
     /// What everything is compared with, instead of references that are rendered.
     pub given: Option<Reference>,
+    /// What the last group was compared with.
+    pub reference: Option<Reference>,
 }
 
 /// A position that is being measured.
@@ -91,6 +93,7 @@ impl Lab {
                 told("the reference");
                 let film = self.film::<Silent>(&settings, end);
                 let Some((film, _)) = film else {
+                    self.reference = None;
                     return knobs.into_iter().map(|k| Sweep::new(k, vec![])).collect();
                 };
                 Some(Reference::new(film, settings.exposure))
@@ -103,6 +106,7 @@ impl Lab {
         };
         let mut benches = self.first_renders(&knobs, reference.as_ref(), end, told);
         self.timed_renders(&mut benches, end, told);
+        self.reference = reference;
 
         let mut steps: Vec<Vec<Measured>> = knobs.iter().map(|_| Vec::new()).collect();
         for bench in benches {

@@ -15,6 +15,9 @@ const FEW_SHAPES: usize = 300;
 /// The group of all that is about samples of a pixel.
 const PIXEL_SAMPLES: &str = "pixel samples";
 
+/// The group of all that is about rays to area lights.
+pub const LIGHT_SAMPLES: &str = "light samples";
+
 /// The first samples of a pixel that may have more.
 const FIRST: u32 = 4;
 
@@ -161,7 +164,7 @@ fn light_samples(
     };
     let most = effort.reference.min(limits::MAX_LIGHT_SAMPLES);
     Knob {
-        group: "light samples",
+        group: LIGHT_SAMPLES,
         way: Some(match light_sampling {
             LightSampling::Area => sampler.name(),
             LightSampling::Projected => light_sampling.name(),

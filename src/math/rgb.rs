@@ -71,6 +71,22 @@ impl Rgb {
     }
 }
 
+impl Rgb {
+    /// From channels that are encoded as sRGB, 0 to 1.
+    pub fn from_srgb(encoded: [f64; 3]) -> Self {
+        encoded.map(linear).into()
+    }
+}
+
+/// The inverse of [`srgb_curve`].
+fn linear(encoded: f64) -> f64 {
+    if encoded <= 0.040_45 {
+        encoded / 12.92
+    } else {
+        libm::pow((encoded + 0.055) / 1.055, 2.4)
+    }
+}
+
 /// The transfer curve of sRGB (IEC 61966-2-1): linear [0, 1] to encoded [0, 1].
 fn srgb_curve(linear: f64) -> f64 {
     if linear <= 0.003_130_8 {
@@ -131,5 +147,9 @@ mod tests {
         assert_eq!(Rgb::grey(0.214_05).to_srgb8(), [128; 3]);
         assert_eq!(Rgb::grey(7.0).to_srgb8(), [255; 3]);
         assert_eq!(Rgb::grey(-1.0).to_srgb8(), [0; 3]);
+        for byte in 0..=255 {
+            let back = Rgb::from_srgb([f64::from(byte) / 255.0; 3]);
+            assert_eq!(back.to_srgb8(), [byte; 3]);
+        }
     }
 }

@@ -1,8 +1,9 @@
 //! The cost of accuracy as tables to read, with what follows from them in words.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
-use crate::lab::{Measured, Slopes, Sweep};
+use crate::lab::{Measured, Slopes, Strip, Sweep};
 
 /// The tables, a group of knobs each. (Writing to a string cannot fail.)
 pub fn text(sweeps: &[Sweep]) -> String {
@@ -31,6 +32,31 @@ pub fn text(sweeps: &[Sweep]) -> String {
         }
     }
     out
+}
+
+/// What the crops in a file are, from left to right.
+pub fn strips(strips: &[Strip], path: &Path) -> String {
+    let mut out = format!("  crops in {}, from left to right:\n", path.display());
+    for strip in strips {
+        let [x, y, w, h] = strip.crop;
+        let _ = writeln!(
+            out,
+            "  {}, {:.1} ms each, {w}x{h} pixels from ({x}, {y}):",
+            strip.group,
+            strip.seconds * 1e3
+        );
+        for tile in &strip.tiles {
+            let _ = writeln!(
+                out,
+                "    {:17} {:>7.1} ms, RMSE {:.1e}",
+                tile.name,
+                tile.seconds * 1e3,
+                tile.rmse
+            );
+        }
+        let _ = writeln!(out, "    the reference");
+    }
+    out + "\n"
 }
 
 fn row(name: &str, step: &Measured) -> String {

@@ -1,7 +1,12 @@
 //! PNG: sRGB, 8 bits a channel.
 
-use image::{ExtendedColorType, ImageEncoder, ImageError, codecs::png::PngEncoder};
+use std::io::Cursor;
 
+use image::codecs::png::{PngDecoder, PngEncoder};
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError};
+
+use crate::math::Rgb;
+use crate::scene::limits::size_problem;
 use crate::tracer::Film;
 
 /// The film as the bytes of a PNG file; `exposure` is multiplied in before the clamp.
@@ -12,6 +17,32 @@ pub fn encode(film: &Film, exposure: f64) -> Result<Vec<u8>, ImageError> {
         .flat_map(|color| (*color * exposure).to_srgb8())
         .collect();
     write(film.width, film.height, &bytes, ExtendedColorType::Rgb8)
+}
+
+/// The film that a PNG file shows with this exposure, as far as its bits tell; what is wrong with it, if it is none.
+pub fn decode(bytes: &[u8], exposure: f64) -> Result<Film, String> {
+    let told = |e: ImageError| format!("is no PNG file that can be read: {e}");
+    let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(told)?;
+    let (width, height) = decoder.dimensions();
+    if let Some(problem) = size_problem(width, height) {
+        return Err(problem);
+    }
+    if exposure <= 0.0 {
+        return Err("tells nothing: with an exposure of 0 every picture is black".to_owned());
+    }
+    let image = DynamicImage::from_decoder(decoder)
+        .map_err(told)?
+        .to_rgb16();
+    let shown = |p: &image::Rgb<u16>| Rgb::from_srgb(p.0.map(|c| f64::from(c) / 65535.0));
+    Ok(Film {
+        width,
+        height,
+        pixels: image
+            .pixels()
+            .map(|p| shown(p) * (1.0 / exposure))
+            .collect(),
+        ..Film::default()
+    })
 }
 
 /// One byte a pixel, row after row from the top, as the bytes of a PNG file.

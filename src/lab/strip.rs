@@ -1,0 +1,172 @@
+//! Crops side by side: what each way of turning a knob makes of the same time.
+
+use std::time::Instant;
+
+use super::cost::{Lab, Sweep};
+use super::error::{Reference, errors};
+use super::knobs::{Knob, LIGHT_SAMPLES};
+use crate::math::Rgb;
+use crate::probe::Silent;
+use crate::scene::Settings;
+use crate::tracer::Film;
+
+/// The edge of a crop in pixels, at most.
+const EDGE: u32 = 32;
+
+/// How many times larger they are shown.
+const ZOOM: u32 = 4;
+
+/// Rows and columns between crops.
+const GAP: u32 = 4;
+
+/// A way of turning a knob, with as much of it as the time allows.
+#[derive(Clone, Debug)]
+pub struct Tile {
+    /// The way, and how far it is turned.
+    pub name: String,
+    /// The whole settings.
+    pub settings: Settings,
+    /// Seconds that the whole picture took.
+    pub seconds: f64,
+    /// The error of the whole picture.
+    pub rmse: f64,
+    film: Film,
+}
+
+/// The ways of a group of knobs.
+#[derive(Clone, Debug)]
+pub struct Strip {
+    /// What is turned.
+    pub group: &'static str,
+    /// Seconds for each picture, as far as they could be foretold.
+    pub seconds: f64,
+    /// The part of the pictures that is shown, where they err most: column, row, width, height.
+    pub crop: [u32; 4],
+    /// Each way, in order; the reference stands behind them.
+    pub tiles: Vec<Tile>,
+    reference: Film,
+}
+
+impl Lab {
+    /// The ways of one group that were measured, each with the time that the dearest position of the cheapest way takes.
+    /// Those for which there is no time before `end` are left out. `None` if nothing can be compared.
+    pub fn strip(&self, sweeps: &[Sweep], reference: &Reference, end: Instant) -> Option<Strip> {
+        let ways = || sweeps.iter().filter(|s| s.knob.way.is_some());
+        let dearest = |s: &Sweep| s.steps.iter().map(|m| m.seconds).fold(0.0, f64::max);
+        let seconds = ways()
+            .map(dearest)
+            .filter(|s| *s > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        let mut tiles = Vec::new();
+        for sweep in ways() {
+            let Some((position, settings)) = affordable(sweep, seconds) else {
+                continue;
+            };
+            let start = Instant::now();
+            let Some((film, _)) = self.film::<Silent>(&settings, end) else {
+                break;
+            };
+            tiles.push(Tile {
+                name: format!("{} {position}", sweep.knob.way.unwrap_or_default()),
+                seconds: start.elapsed().as_secs_f64(),
+                rmse: errors(&film, reference, settings.exposure)?.rmse,
+                settings,
+                film,
+            });
+        }
+        (!tiles.is_empty()).then(|| Strip {
+            group: sweeps[0].knob.group,
+            seconds,
+            crop: worst(&tiles, reference.film()),
+            tiles,
+            reference: reference.film().clone(),
+        })
+    }
+}
+
+/// How far a way can be turned in so many seconds, by its dearest position that was measured; of positions that are not
+/// samples, the one whose time is nearest.
+fn affordable(sweep: &Sweep, seconds: f64) -> Option<(String, Settings)> {
+    let Sweep { knob, steps, .. } = sweep;
+    let last = steps.last()?;
+    if let Some(samples) = last.samples {
+        let afforded = f64::from(samples) * seconds / last.seconds.max(1e-9);
+        let samples = (afforded.round() as u32).clamp(1, 4 * samples);
+        return Some((samples.to_string(), knob.with_samples(samples)?));
+    }
+    let off = |s: f64| libm::log(s / seconds).abs();
+    let measured = steps.iter().zip(&knob.steps);
+    let nearest = measured.min_by(|a, b| off(a.0.seconds).total_cmp(&off(b.0.seconds)));
+    nearest.map(|(measured, step)| (measured.step.clone(), step.settings))
+}
+
+/// The part of a picture in which all together err most.
+fn worst(tiles: &[Tile], reference: &Film) -> [u32; 4] {
+    let (width, height) = (reference.width, reference.height);
+    let (w, h) = (width.min(EDGE), height.min(EDGE));
+    let starts = |end: u32, edge: u32| {
+        let last = end - edge;
+        (0..=last).step_by(EDGE as usize / 4).chain([last])
+    };
+    let error = |&(x, y): &(u32, u32)| {
+        let places = (y..y + h).flat_map(|y| (x..x + w).map(move |x| (x, y)));
+        places
+            .flat_map(|(x, y)| {
+                tiles
+                    .iter()
+                    .map(move |t| (t.film.at(x, y), reference.at(x, y)))
+            })
+            .flat_map(|(a, b)| a.channels().into_iter().zip(b.channels()))
+            .map(|(a, b)| (a - b) * (a - b))
+            .sum::<f64>()
+    };
+    let all = starts(height, h).flat_map(|y| starts(width, w).map(move |x| (x, y)));
+    let found = all.max_by(|a, b| error(a).total_cmp(&error(b)));
+    let (x, y) = found.unwrap_or_default();
+    [x, y, w, h]
+}
+
+/// All strips below each other, on grey: in each the ways from left to right, then the reference.
+pub fn picture(strips: &[Strip]) -> Film {
+    let size = |n: u32, edge: u32| n * (edge * ZOOM + GAP) + GAP;
+    let edges = |i: usize| strips.iter().map(move |s| s.crop[i]).max().unwrap_or(0);
+    let most = strips.iter().map(|s| s.tiles.len() as u32 + 1).max();
+    let (width, height) = (
+        size(most.unwrap_or(0), edges(2)),
+        size(strips.len() as u32, edges(3)),
+    );
+    let mut film = Film {
+        width,
+        height,
+        pixels: vec![Rgb::grey(0.5); width as usize * height as usize],
+        ..Film::default()
+    };
+    for (row, strip) in (0..).zip(strips) {
+        let [x0, y0, w, h] = strip.crop;
+        let films = strip.tiles.iter().map(|t| &t.film);
+        for (column, from) in (0..).zip(films.chain([&strip.reference])) {
+            let (left, top) = (size(column, edges(2)), size(row, edges(3)));
+            for y in 0..h * ZOOM {
+                for x in 0..w * ZOOM {
+                    let to = (top + y) as usize * width as usize + (left + x) as usize;
+                    film.pixels[to] = from.at(x0 + x / ZOOM, y0 + y / ZOOM);
+                }
+            }
+        }
+    }
+    film
+}
+
+impl Knob {
+    /// So many samples this way, if it is about samples.
+    fn with_samples(&self, samples: u32) -> Option<Settings> {
+        let any = self.steps.last()?;
+        let mut settings = any.settings;
+        if self.group == LIGHT_SAMPLES {
+            settings.light_samples = samples;
+        } else {
+            settings.samples = samples;
+        }
+        any.samples.map(|_| settings)
+    }
+}
