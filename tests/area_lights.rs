@@ -225,7 +225,7 @@ fn points_are_even_on_parallelograms_meshes_and_boxes() {
     even(
         points(&light, from)
             .iter()
-            .map(|p| [(p.x + 1.0) / 2.0, (p.z + 1.0) / 2.0]),
+            .map(|p| [0.5 * (p.x + 1.0), 0.5 * (p.z + 1.0)]),
         "mesh",
     );
     // A box of 1 x 2 x 3: each side by its area, and even on it.
