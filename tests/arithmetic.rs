@@ -80,6 +80,28 @@ fn every_accelerator_ends_with_every_choice() {
     }
 }
 
+/// Whatever it is tested with, a light does not stand in its own way: these are off by little.
+#[test]
+fn area_lights_shine_with_every_choice_that_has_an_offset() {
+    for name in ["soft-shadow", "lamps"] {
+        let (ours, settings) = world(name, AccelKind::Wide, Arithmetic::default());
+        let expected = film(&ours, &settings).pixels;
+        for arithmetic in variants() {
+            if arithmetic.offset == Offset::None {
+                continue;
+            }
+            let (world, settings) = world(name, AccelKind::Wide, arithmetic);
+            let found = film(&world, &settings).pixels;
+            let differ = expected.iter().zip(&found).filter(|(a, b)| {
+                let pairs = a.channels().into_iter().zip(b.channels());
+                pairs.into_iter().any(|(a, b)| (a - b).abs() > 0.02)
+            });
+            let differ = differ.count();
+            assert!(20 * differ < found.len(), "{name} {arithmetic:?}: {differ}");
+        }
+    }
+}
+
 #[test]
 fn back_to_our_own_arithmetic_the_bits_are_the_same() {
     let (ours, settings) = world("whitted", AccelKind::Bsp, Arithmetic::default());

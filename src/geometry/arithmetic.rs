@@ -6,6 +6,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::math::{DVec3, Ray};
+
 /// How a triangle is tested.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TriangleTest {
@@ -145,6 +147,23 @@ impl FromStr for Offset {
 }
 
 impl Arithmetic {
+    /// How much sooner than at a light, `distance` metres from `point` and met at an angle of this cosine, a ray to it ends
+    /// that starts near there, so that the light does not stand in its own way. Ours needs nothing: where it ends is
+    /// bounded already.
+    pub fn short_of_light(&self, point: DVec3, ray: &Ray, (distance, cos): (f64, f64)) -> f64 {
+        let by_offset = match self.offset {
+            Offset::Fixed(_) => (ray.origin - point).length() / cos.max(0.01),
+            Offset::None | Offset::Bounded => 0.0,
+        };
+        let by_rounding = match self.precision {
+            Precision::Single if distance.is_finite() => {
+                64.0 * f64::from(f32::EPSILON) * (point.abs().max_element() + distance)
+            }
+            _ => 0.0,
+        };
+        by_offset + by_rounding
+    }
+
     /// The choices that are not the default, in the order of the fields.
     pub fn deviations(&self) -> Vec<Deviation> {
         let ours = Self::default();

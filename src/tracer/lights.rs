@@ -174,6 +174,10 @@ pub fn question(
         return Err(Absence::OutsideCone { cos_angle });
     }
     let ray = Ray::new(at.origin_towards(lit.direction), lit.direction);
+    let arrival = (lit.distance, lit.cos_angle);
+    let sooner = settings.arithmetic.short_of_light(at.point, &ray, arrival);
+    let distance = lit.distance - sooner;
+    let lit = Illumination { distance, ..lit };
     Ok(Question { ray, lit, n_dot_l })
 }
 
