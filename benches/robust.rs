@@ -1,20 +1,28 @@
 //! What robust arithmetic costs: our tests of triangles and spheres beside the usual ones in double precision, on the same
 //! rays and shapes, in turns in one run.
 //!
-//! `cargo bench --bench robust`; with `RAYTREE_BOOK=1` the table goes into the book as well.
+//! Then whole pictures: the knobs of arithmetic, turned as `raytree cost` turns them.
+//!
+//! `cargo bench --bench robust`; with `RAYTREE_BOOK=1` the tables go into the book as well.
 
 #[path = "common/table.rs"]
 mod table;
 
 use std::hint::black_box;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+use raytree::accel::fastest;
 use raytree::geometry::naive::{sphere, triangle};
 use raytree::geometry::{Intersection, Shear, Sphere, Triangle};
+use raytree::lab::{Effort, Knob, Lab, knobs};
 use raytree::math::sampler::{mix, unit};
 use raytree::math::{DVec3, Interval, Ray};
+use raytree::scene::{Sampling, Settings, World, load};
 
 use table::{markdown, median, publish};
+
+/// The scenes whose pictures are drawn with each choice.
+const SCENES: [&str; 5] = ["whitted", "room", "nested-glass", "teapot", "spd:balls:3"];
 
 /// How often each contestant runs.
 const ROUNDS: usize = 21;
@@ -126,6 +134,88 @@ fn rays() -> Vec<Ray> {
     (0..RAYS).map(ray).collect()
 }
 
+/// What each choice costs in a picture of a scene, over the robust one in the same round, and how far it is off: knob,
+/// position, time, RMSE.
+fn picture(name: &str) -> Vec<([String; 2], [f64; 2])> {
+    let scene = load(name).expect("a scene");
+    let settings = Settings {
+        width: 120,
+        height: 90,
+        samples: 1,
+        light_samples: 1,
+        sampling: Sampling::Regular,
+        accel: fastest(&scene.shapes),
+        ..scene.settings
+    };
+    let world = World::new(scene, settings.accel);
+    let choices = knobs(&world, &settings, Effort::LEAST);
+    let mut lab = Lab {
+        world,
+        accel: settings.accel,
+        arithmetic: settings.arithmetic,
+        runs: 1,
+        threads: 1,
+        given: None,
+        reference: None,
+    };
+    let mut rows = Vec::new();
+    for knob in choices.into_iter().filter(Knob::is_robust) {
+        let mut round = || {
+            let end = Instant::now() + Duration::from_secs(600);
+            lab.measure(vec![knob.clone()], end, &|_| {})
+                .remove(0)
+                .steps
+        };
+        let rounds: Vec<_> = (0..ROUNDS).map(|_| round()).collect();
+        for (i, step) in rounds[0].iter().enumerate() {
+            let over_robust = rounds.iter().map(|steps| {
+                let robust = steps.last().expect("a position");
+                steps[i].seconds / robust.seconds
+            });
+            let rmse = step.errors.expect("a reference").rmse;
+            let what = [knob.group.to_string(), step.step.clone()];
+            rows.push((what, [median(over_robust), rmse]));
+        }
+    }
+    rows
+}
+
+/// A row for each position of a knob, a column for each scene.
+fn pictures() -> String {
+    let columns = SCENES.map(picture);
+    let mut names: Vec<[String; 2]> = Vec::new();
+    for (name, _) in columns.iter().flatten() {
+        if !names.contains(name) {
+            names.push(name.clone());
+        }
+    }
+    // By knobs, in the order of the first scene that has each.
+    names.sort_by_key(|[knob, _]| {
+        ["triangle", "offset", "quadratic"]
+            .iter()
+            .position(|k| k == knob)
+            .unwrap_or(9)
+    });
+    let head: Vec<String> = ["", ""]
+        .iter()
+        .chain(&SCENES)
+        .map(|s| (*s).to_string())
+        .collect();
+    let cell = |found: &[f64; 2]| match found {
+        [time, 0.0] => format!("{time:.2}, 0"),
+        [time, rmse] => format!("{time:.2}, {rmse:.0e}"),
+    };
+    let row = |name: &[String; 2]| {
+        let cells = columns.iter().map(|column| {
+            let found = column.iter().find(|(other, _)| other == name);
+            found.map_or("-".to_string(), |(_, found)| cell(found))
+        });
+        name.iter().map(|n| format!("`{n}`")).chain(cells).collect()
+    };
+    let rows: Vec<Vec<String>> = names.iter().map(row).collect();
+    markdown(&head, &rows)
+}
+
 fn main() {
     // `cargo test` runs this program as well, without the flag.
     if !std::env::args().any(|a| a == "--bench") {
@@ -142,4 +232,9 @@ fn main() {
         "{RAYS} rays against each of {SHAPES} shapes in double precision, medians of {ROUNDS} rounds in turns, on one thread."
     );
     publish("robust", &format!("{about}\n\n{}", markdown(&head, &rows)));
+    let about = format!(
+        "120x90 pixels, one ray a pixel, one thread, medians of {ROUNDS} rounds in turns. Of each: the time over that of the \
+robust choice, then the RMSE against it."
+    );
+    publish("robust-pictures", &format!("{about}\n\n{}", pictures()));
 }

@@ -154,6 +154,9 @@ impl Shape {
                 let ray = placed.transform.ray_to_object(ray);
                 placed.shape.enters(&ray, &Shear::new(&ray), t)
             }
+            Self::Naive(naive) if naive.arithmetic == Arithmetic::default() => {
+                naive.shape.enters(ray, shear, t)
+            }
             Self::Naive(naive) => {
                 let normal = naive.surface(ray, t, [1.0, 0.0, 0.0]).normal;
                 Some(normal.dot(ray.direction) < 0.0)

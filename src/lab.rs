@@ -7,6 +7,7 @@ pub mod flip;
 pub mod front;
 pub mod knobs;
 pub mod plot;
+mod robust;
 pub mod stability;
 pub mod strip;
 pub mod until;

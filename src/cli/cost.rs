@@ -43,7 +43,8 @@ pub struct Cost {
     /// Timed renders of each setting, after one that counts
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=99))]
     runs: u16,
-    /// Measure these only, such as light-samples, pixel-samples-jittered, depth, min-weight, accelerator
+    /// Measure these only, such as light-samples, pixel-samples-jittered, depth, min-weight, accelerator,
+    /// triangle, offset, quadratic, precision
     #[arg(long = "knob", value_name = "NAME", value_delimiter = ',')]
     only: Vec<String>,
     /// The most samples that are tried, and 16 times as many in references [default: as the budget allows]
@@ -116,6 +117,7 @@ impl Cost {
         let mut lab = Lab {
             world,
             accel: base.accel,
+            arithmetic: base.arithmetic,
             runs,
             threads,
             given: given.map(|film| Reference::new(film, base.exposure)),

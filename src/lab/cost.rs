@@ -6,7 +6,9 @@ use std::time::Instant;
 use super::error::{Errors, Reference, errors};
 use super::front::{self, Slopes};
 use super::knobs::{Knob, Step};
+use super::robust;
 use crate::accel::{Accel, AccelKind};
+use crate::geometry::Arithmetic;
 use crate::probe::{Probe, Silent};
 use crate::scene::{Settings, World};
 use crate::trace::Counts;
@@ -50,7 +52,8 @@ impl Sweep {
     /// What was measured, with its slopes.
     pub fn new(knob: Knob, steps: Vec<Measured>) -> Self {
         Self {
-            slopes: front::slopes(&steps),
+            // Between kinds of arithmetic there is no slope.
+            slopes: (!knob.is_robust()).then(|| front::slopes(&steps)).flatten(),
             knob,
             steps,
         }
@@ -63,6 +66,8 @@ pub struct Lab {
     pub world: World,
     /// Its accelerator.
     pub accel: AccelKind,
+    /// What its shapes are tested with.
+    pub arithmetic: Arithmetic,
     /// Timed renders of each position.
     pub runs: usize,
     /// Threads, 0 for one a core.
@@ -73,11 +78,20 @@ pub struct Lab {
     pub reference: Option<Reference>,
 }
 
+/// What a position is rendered with instead of the lab's own.
+enum Other {
+    /// Another structure over the same shapes.
+    Accel(Box<Accel>),
+    /// The same shapes, tested with other arithmetic.
+    World(Box<World>),
+}
+
 /// A position that is being measured.
 struct Bench<'a> {
     knob: usize,
     step: &'a Step,
-    accel: Option<(Accel, f64)>,
+    other: Option<Other>,
+    built: Option<f64>,
     counts: Counts,
     errors: Option<Errors>,
     seconds: Vec<f64>,
@@ -91,7 +105,10 @@ impl Lab {
         let rendered = match wanted {
             Some(settings) if self.given.is_none() => {
                 told("the reference");
+                let mut other = self.other(&settings, false);
+                swap(&mut other, &mut self.world);
                 let film = self.film::<Silent>(&settings, end);
+                swap(&mut other, &mut self.world);
                 let Some((film, _)) = film else {
                     self.reference = None;
                     return knobs.into_iter().map(|k| Sweep::new(k, vec![])).collect();
@@ -130,24 +147,25 @@ impl Lab {
         let order = (0..most).flat_map(|s| (0..knobs.len()).map(move |k| (k, s)));
         let mut benches = Vec::new();
         for (knob, step) in order.filter_map(|(k, s)| Some((k, knobs[k].steps.get(s)?))) {
+            if Instant::now() >= end {
+                break;
+            }
             told(&step.name);
             let start = Instant::now();
-            let kind = step.settings.accel;
-            let accel = (kind != self.accel).then(|| {
-                let accel = Accel::build(kind, &self.world.scene.shapes);
-                (accel, start.elapsed().as_secs_f64())
-            });
+            let other = self.other(&step.settings, step.one_by_one);
+            let is_accel = matches!(other, Some(Other::Accel(_)));
             let mut bench = Bench {
                 knob,
                 step,
-                accel,
+                other,
+                built: is_accel.then(|| start.elapsed().as_secs_f64()),
                 counts: Counts::default(),
                 errors: None,
                 seconds: Vec::with_capacity(self.runs),
             };
-            bench.swap(&mut self.world);
+            swap(&mut bench.other, &mut self.world);
             let done = self.film::<Counts>(&step.settings, end);
-            bench.swap(&mut self.world);
+            swap(&mut bench.other, &mut self.world);
             let Some((film, counts)) = done else { break };
             bench.counts = counts.iter().fold(Counts::default(), Counts::plus);
             bench.errors = reference.and_then(|r| errors(&film, r, step.settings.exposure));
@@ -161,16 +179,31 @@ impl Lab {
         for _ in 0..self.runs {
             for bench in &mut *benches {
                 told(&bench.step.name);
-                bench.swap(&mut self.world);
+                swap(&mut bench.other, &mut self.world);
                 let start = Instant::now();
                 let done = std::hint::black_box(self.film::<Silent>(&bench.step.settings, end));
                 let seconds = start.elapsed().as_secs_f64();
-                bench.swap(&mut self.world);
+                swap(&mut bench.other, &mut self.world);
                 if done.is_none() {
                     return;
                 }
                 bench.seconds.push(seconds);
             }
+        }
+    }
+
+    /// What these settings need, if it is not there already.
+    fn other(&self, settings: &Settings, one_by_one: bool) -> Option<Other> {
+        let (kind, arithmetic) = (settings.accel, settings.arithmetic);
+        let scene = &self.world.scene;
+        if one_by_one {
+            let scene = robust::one_by_one(scene, arithmetic);
+            Some(Other::World(Box::new(World::new(scene, kind))))
+        } else if arithmetic != self.arithmetic {
+            let scene = scene.clone().computed_with(arithmetic);
+            Some(Other::World(Box::new(World::new(scene, kind))))
+        } else {
+            (kind != self.accel).then(|| Other::Accel(Box::new(Accel::build(kind, &scene.shapes))))
         }
     }
 
@@ -193,14 +226,16 @@ impl Lab {
     }
 }
 
-impl Bench<'_> {
-    /// Puts its accelerator into the world, and after its use takes it out again.
-    fn swap(&mut self, world: &mut World) {
-        if let Some((accel, _)) = &mut self.accel {
-            std::mem::swap(accel, &mut world.accel);
-        }
+/// Puts something else into the world, or in its place, and after its use takes it out again.
+fn swap(other: &mut Option<Other>, world: &mut World) {
+    match other {
+        Some(Other::Accel(accel)) => std::mem::swap(&mut **accel, &mut world.accel),
+        Some(Other::World(other)) => std::mem::swap(&mut **other, world),
+        None => {}
     }
+}
 
+impl Bench<'_> {
     /// `None` if it was never timed.
     fn measured(mut self) -> Option<Measured> {
         self.seconds.sort_by(f64::total_cmp);
@@ -211,7 +246,7 @@ impl Bench<'_> {
             seconds: *seconds.get(seconds.len() / 2)?,
             spread: [*seconds.first()?, *seconds.last()?],
             runs: seconds.len(),
-            built: self.accel.map(|(_, seconds)| seconds),
+            built: self.built,
             counts: self.counts,
             errors: self.errors,
             on_front: false,

@@ -30,6 +30,9 @@ const EFFORTS: [Effort; 5] = [
 /// How many times slower than the fastest an accelerator may be; a tree deeper than what was asked for; and so on.
 const OTHER: f64 = 3.0;
 
+/// How many times slower it is to test shapes one by one.
+const ONE_BY_ONE: f64 = 1.5;
+
 /// The part of the time that is planned with: other work may slow down what follows.
 const CAREFUL: f64 = 0.7;
 
@@ -65,13 +68,20 @@ pub struct Price {
 }
 
 impl Price {
-    /// Found out by rendering.
+    /// Found out by rendering; of large pictures only smaller ones, since that takes time as well.
     pub fn of(world: &World, base: &Settings, threads: usize) -> Self {
         const MANY: u32 = 16;
+        const EDGE: u32 = 120;
+        let shrink = base.width.max(base.height).div_ceil(EDGE).max(1);
+        let [width, height] = [base.width, base.height].map(|edge| edge.div_ceil(shrink));
+        let pixels = |w: u32, h: u32| f64::from(w) * f64::from(h);
+        let larger = pixels(base.width, base.height) / pixels(width, height);
         let one = Settings {
             samples: 1,
             light_samples: 1,
             sampler: Sampler::Sobol,
+            width,
+            height,
             ..*base
         };
         let many = Settings {
@@ -92,8 +102,8 @@ impl Price {
         let (counted, few, more) = (clock(&one, true), clock(&one, false), clock(&many, false));
         let light = ((more - few) / f64::from(MANY - 1)).max(0.0);
         Self {
-            sample: (few - light).max(1e-6),
-            light,
+            sample: (few - light).max(1e-6) * larger,
+            light: light * larger,
             counting: (counted / few).max(1.0),
         }
     }
@@ -111,7 +121,11 @@ impl Price {
             .iter()
             .flat_map(|knob| knob.steps.iter().map(move |step| (knob, step)))
             .map(|(knob, step)| {
-                let factor = if knob.theory.is_some() { 1.0 } else { OTHER };
+                let factor = match knob.theory {
+                    Some(_) => 1.0,
+                    None if knob.is_robust() => ONE_BY_ONE,
+                    None => OTHER,
+                };
                 self.picture(&step.settings) * each * factor
             })
             .sum();

@@ -1,6 +1,7 @@
 //! The knobs that a scene really has: what may be turned to trade time for accuracy.
 
 use super::effort::Effort;
+use super::robust;
 use crate::accel::AccelKind;
 use crate::math::{LightSampling, Sampler};
 use crate::scene::effects::{Effect, effects};
@@ -46,6 +47,9 @@ pub struct Step {
     pub samples: Option<u32>,
     /// The whole settings.
     pub settings: Settings,
+    /// Whether shapes are tested one by one with the arithmetic of the settings, ours like any other: see
+    /// [`super::robust`].
+    pub one_by_one: bool,
 }
 
 impl Knob {
@@ -55,6 +59,11 @@ impl Knob {
             None => self.group.to_owned(),
             Some(way) => format!("{}, {way}", self.group),
         }
+    }
+
+    /// True if it turns the arithmetic that shapes are tested with, and nothing else.
+    pub fn is_robust(&self) -> bool {
+        self.steps.iter().any(|step| step.one_by_one)
     }
 
     /// True if a user means it by `name`: its group, or its whole name; with `-` for what is no letter.
@@ -83,6 +92,8 @@ pub fn knobs(world: &World, base: &Settings, effort: Effort) -> Vec<Knob> {
         knobs.push(min_weight(base));
     }
     knobs.push(accelerators(world, base));
+    let leaves = uses(Effect::Shadows) || uses(Effect::Reflection) || uses(Effect::Refraction);
+    knobs.extend(robust::knobs(&world.scene.shapes, base, leaves));
     knobs
 }
 
@@ -91,6 +102,7 @@ fn by_samples(effort: Effort, with: impl Fn(u32) -> Settings) -> Vec<Step> {
         name: n.to_string(),
         samples: Some(n),
         settings: with(n),
+        one_by_one: false,
     };
     effort.samples().map(step).collect()
 }
@@ -184,7 +196,7 @@ fn light_samples(
 }
 
 /// A knob whose positions are not samples.
-fn plain<T>(
+pub fn plain<T>(
     group: &'static str,
     positions: impl IntoIterator<Item = T>,
     name: impl Fn(&T) -> String,
@@ -194,6 +206,7 @@ fn plain<T>(
         name: name(&position),
         samples: None,
         settings: with(position),
+        one_by_one: false,
     };
     Knob {
         group,

@@ -12,7 +12,7 @@ pub fn text(sweeps: &[Sweep]) -> String {
         let head = group[0].knob.group;
         let _ = writeln!(
             out,
-            "\n  {head:14} {:>7} {:>9} {:>6} {:>6} {:>6} {:>8} {:>6} {:>8}",
+            "\n  {head:15} {:>7} {:>8} {:>6} {:>6} {:>6} {:>8} {:>6} {:>8}",
             "time/ms", "spread/%", "rays", "nodes", "tests", "RMSE", "FLIP", "RMSE s"
         );
         for sweep in group {
@@ -26,6 +26,9 @@ pub fn text(sweeps: &[Sweep]) -> String {
             if sweep.steps.is_empty() {
                 let _ = writeln!(out, "  {}: there was no time for it", sweep.knob.name());
             }
+        }
+        if group[0].knob.is_robust() {
+            let _ = writeln!(out, "  shapes are tested one by one in all of these");
         }
         for line in sentences(group) {
             let _ = writeln!(out, "  {line}");
@@ -76,7 +79,7 @@ fn row(name: &str, step: &Measured) -> String {
         (None, None) => "same picture".to_owned(),
     };
     format!(
-        "{mark} {name:14} {:>7.1} {:>9} {rays:>6} {nodes:>6} {tests:>6} {end}",
+        "{mark} {name:15} {:>7.1} {:>8} {rays:>6} {nodes:>6} {tests:>6} {end}",
         step.seconds * 1e3,
         format!("{low:+.0} {high:+.0}")
     )
