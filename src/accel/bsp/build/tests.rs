@@ -115,3 +115,21 @@ fn the_fragments_of_a_polygon_are_the_polygon() {
         assert!(parts > shapes.len() && parts <= most, "{parts}");
     }
 }
+
+/// Source: case 37 of `tests/stability`. Expected: a corner that is over a polygon's plane by a float is on it.
+#[test]
+fn a_polygon_a_float_over_a_plane_is_not_on_both_sides() {
+    let number = |i: usize| 8.0 * unit(mix(i as u64));
+    let wall = [[1.0, -9.0, -9.0], [1.0, 9.0, -9.0], [1.0, 0.0, 9.0]].map(DVec3::from);
+    let wall = Shape::Triangle(Triangle { corners: wall });
+    let (over, reach) = (1.0f64.next_up(), 9.0);
+    let plane = Splitter::of_triangle(0, &wall, 32.0 * UNIT_ROUNDOFF * reach);
+    let plane = plane.expect("it has area");
+    for i in 0..1000 {
+        let at = |x: f64, k: usize| DVec3::new(x, number(6 * i + k), number(6 * i + k + 3));
+        let corners = [at(over, 0), at(1.0, 1), at(-1.0, 2)];
+        let shape = Shape::Triangle(Triangle { corners });
+        let item = Item::whole(1, &shape).expect("it has an end");
+        assert_ne!(plane.side(&item), Side::Both, "{corners:?}");
+    }
+}
