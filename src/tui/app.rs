@@ -19,8 +19,8 @@ use crate::scene::effects::{Finding, findings};
 use crate::scene::{Settings, World};
 use crate::trace::Cursor;
 
-/// How long Enter waits for the tree before other keys have their turn.
-const AT_ONCE: Duration = Duration::from_millis(30);
+/// How long Enter waits for the tree before the screen is drawn and other keys have their turn: within a frame of 16 ms.
+const AT_ONCE: Duration = Duration::from_millis(10);
 
 /// What lies over the panes.
 #[derive(Clone, Debug, PartialEq, Eq)]
