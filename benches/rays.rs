@@ -7,6 +7,8 @@
 //! with `-- nomatch` only the matrix; with `RAYTREE_BOOK=1` the matrix goes into the book as well, and
 //! `RAYTREE_MESH=ball` takes one mesh, `RAYTREE_WHO=kd,bsp-sah` only the accelerators of such names.
 
+#[path = "common/ball.rs"]
+mod ball;
 #[path = "rays/matrix.rs"]
 mod matrix;
 #[path = "rays/mesh.rs"]

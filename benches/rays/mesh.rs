@@ -3,6 +3,8 @@
 use raytree::geometry::{Aabb, Shape, Triangle};
 use raytree::math::DVec3;
 
+use crate::ball::bumpy_ball;
+
 /// The names of all meshes, and their triangles.
 pub fn all() -> Vec<(&'static str, Vec<Triangle>)> {
     vec![
@@ -11,24 +13,6 @@ pub fn all() -> Vec<(&'static str, Vec<Triangle>)> {
         ("slanted", built_in("slanted", "")),
         ("ball", bumpy_ball(158)),
     ]
-}
-
-/// A ball with bumps of 4 rings^2 triangles.
-pub fn bumpy_ball(rings: usize) -> Vec<Triangle> {
-    let at = |i: usize, j: usize| {
-        let theta = std::f64::consts::PI * i as f64 / rings as f64;
-        let phi = std::f64::consts::PI * (j % (2 * rings)) as f64 / rings as f64;
-        let bump = 1.0 + 0.1 * libm::sin(9.0 * theta) * libm::sin(7.0 * phi);
-        let (sin, cos) = (libm::sin(theta), libm::cos(theta));
-        bump * DVec3::new(sin * libm::cos(phi), cos, sin * libm::sin(phi))
-    };
-    (0..rings)
-        .flat_map(|i| (0..2 * rings).map(move |j| (i, j)))
-        .flat_map(|(i, j)| {
-            let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-            [[a, b, c], [a, c, d]].map(|corners| Triangle { corners })
-        })
-        .collect()
 }
 
 /// The triangles of a box, turned about the y axis.
