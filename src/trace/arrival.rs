@@ -169,23 +169,11 @@ impl<'a> View<'a> {
 
     /// What a node's subtree adds to its sample: throughput x radiance; for an L ray the light's terms at its parent.
     pub fn brings(self, node: u32) -> Rgb {
-        use crate::probe::Event;
         let tree = &self.trace.tree;
         let this = tree.node(node);
         let (RayKind::Light, Some(parent)) = (this.sent.kind, this.parent) else {
             return this.total();
         };
-        let terms = tree
-            .own_events(parent)
-            .filter_map(|(_, event)| match event {
-                Event::Term {
-                    light,
-                    sample,
-                    value,
-                    ..
-                } if (*light, *sample) == (this.sent.light, this.sent.sample) => Some(*value),
-                _ => None,
-            });
-        tree.node(parent).throughput * terms.fold(Rgb::BLACK, |sum, value| sum + value)
+        tree.node(parent).throughput * tree.lit_by(node)
     }
 }

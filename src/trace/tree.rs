@@ -199,6 +199,26 @@ impl RayTree {
         })
     }
 
+    /// What an L ray's light adds where the ray was sent. Its terms stand right behind it, so that this takes no longer
+    /// where it is one of thousands to a light.
+    pub fn lit_by(&self, id: u32) -> Rgb {
+        let node = self.node(id);
+        let behind = self.events.get(node.last_event as usize + 1..);
+        let terms = behind
+            .unwrap_or_default()
+            .iter()
+            .map_while(|event| match *event {
+                Event::Term {
+                    light,
+                    sample,
+                    value,
+                    ..
+                } if (light, sample) == (node.sent.light, node.sent.sample) => Some(value),
+                _ => None,
+            });
+        terms.fold(Rgb::BLACK, |sum, value| sum + value)
+    }
+
     /// The node that an event of the log belongs to; `None` for events between the samples.
     pub fn node_of_event(&self, event: usize) -> Option<u32> {
         let started = self

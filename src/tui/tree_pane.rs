@@ -9,7 +9,6 @@ use super::draw::write;
 use super::rows::{Row, RowKind, Rows};
 use super::session::Session;
 use super::theme;
-use crate::math::Rgb;
 use crate::probe::{Event, RayKind};
 use crate::trace::explain::num;
 use crate::trace::{Node, Outcome};
@@ -33,17 +32,20 @@ pub fn title(session: &Session) -> Line<'static> {
     Line::raw(format!(" ray tree: {} rays ", session.tree().nodes.len()))
 }
 
-/// Draws the rows around the current one.
+/// The rows around the current one that a pane of `height` rows shows, with their numbers.
+pub fn shown(session: &Session, height: u16) -> impl Iterator<Item = (usize, Row)> {
+    let first = first_row(session, height);
+    let numbers = first..first + usize::from(height);
+    numbers.map_while(|number| Some((number, session.rows.get(number)?)))
+}
+
+/// Draws them.
 pub fn draw(session: &Session, level: ColorLevel, place: Rect, buffer: &mut Buffer) {
-    let (current, first) = (session.row(), first_row(session, place.height));
+    let current = session.row();
     let shift = shift(session, current, place.width);
-    for line in 0..place.height {
-        let number = first + usize::from(line);
-        let Some(row) = session.rows.get(number) else {
-            break;
-        };
+    for (y, (number, row)) in (place.y..).zip(shown(session, place.height)) {
         let at = Rect {
-            y: place.y + line,
+            y,
             height: 1,
             ..place
         };
@@ -165,7 +167,7 @@ fn columns(session: &Session, id: u32, level: ColorLevel) -> Line<'static> {
     };
     let share = format!("{:.1}", session.view().share(id) * 100.0);
     let color = if node.sent.kind == RayKind::Light {
-        lit(session, id)
+        session.tree().lit_by(id)
     } else {
         node.radiance
     };
@@ -174,27 +176,6 @@ fn columns(session: &Session, id: u32, level: ColorLevel) -> Line<'static> {
         theme::swatch(color * session.settings.exposure, level),
         Span::raw(" "),
     ])
-}
-
-/// What a light adds at its point: the sum of its terms.
-fn lit(session: &Session, id: u32) -> Rgb {
-    let tree = session.tree();
-    let node = tree.node(id);
-    let Some(parent) = node.parent else {
-        return Rgb::BLACK;
-    };
-    let terms = tree
-        .own_events(parent)
-        .filter_map(|(_, event)| match *event {
-            Event::Term {
-                light,
-                sample,
-                value,
-                ..
-            } if (light, sample) == (node.sent.light, node.sent.sample) => Some(value),
-            _ => None,
-        });
-    terms.fold(Rgb::BLACK, |sum, value| sum + value)
 }
 
 fn num3(x: f64) -> String {
