@@ -140,7 +140,9 @@ impl Cost {
             output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
         }
         let mut crops = String::new();
-        if let Some(path) = &self.strip {
+        if strips.is_empty() && self.strip.is_some() {
+            eprintln!("warning: no strip: nothing that it could show was measured");
+        } else if let Some(path) = &self.strip {
             let png = png::encode(&strip::picture(&strips), base.exposure);
             output::write(Some(path), |out| {
                 out.write_all(&png.map_err(std::io::Error::other)?)

@@ -91,13 +91,23 @@ fn affordable(sweep: &Sweep, seconds: f64) -> Option<(String, Settings)> {
     let last = steps.last()?;
     if let Some(samples) = last.samples {
         let afforded = f64::from(samples) * seconds / last.seconds.max(1e-9);
-        let samples = (afforded.round() as u32).clamp(1, 4 * samples);
+        let samples = squarish((afforded.round() as u32).clamp(1, 4 * samples));
         return Some((samples.to_string(), knob.with_samples(samples)?));
     }
     let off = |s: f64| libm::log(s / seconds).abs();
     let measured = steps.iter().zip(&knob.steps);
     let nearest = measured.min_by(|a, b| off(a.0.seconds).total_cmp(&off(b.0.seconds)));
     nearest.map(|(measured, step)| (measured.step.clone(), step.settings))
+}
+
+/// The largest number up to `n` whose grid of cells is a square, or longer than wide by one: 59 cells are a single row of them.
+fn squarish(n: u32) -> u32 {
+    let edge = n.isqrt();
+    if edge * (edge + 1) <= n {
+        edge * (edge + 1)
+    } else {
+        edge * edge
+    }
 }
 
 /// The part of a picture in which all together err most.
@@ -168,5 +178,16 @@ impl Knob {
             settings.samples = samples;
         }
         any.samples.map(|_| settings)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_nearly_square() {
+        let shown = [1, 2, 3, 5, 6, 8, 9, 59, 64, 4096].map(squarish);
+        assert_eq!(shown, [1, 2, 2, 4, 6, 6, 9, 56, 64, 4096]);
     }
 }
