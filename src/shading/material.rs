@@ -57,7 +57,7 @@ impl Material {
         self.checker.as_ref().filter(|c| {
             let square = (uv / c.size).floor();
             // Every second square along a row and a column: where half the sum is no whole number.
-            let half = (square.x + square.y) / 2.0;
+            let half = 0.5 * (square.x + square.y);
             half - half.floor() == 0.5
         })
     }

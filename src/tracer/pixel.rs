@@ -37,8 +37,8 @@ pub struct Sampled {
     target: u32,
     /// The weights, if the number of samples is known.
     weights: Option<Weights>,
-    /// What the samples brought until it is; boxed, since most pixels keep nothing.
-    kept: Option<Box<Vec<(Rgb, f64)>>>,
+    /// What the samples brought until it is.
+    kept: Option<Vec<(Rgb, f64)>>,
     /// For the standard error, if somebody wants to know it.
     spread: Option<Box<Spread>>,
 }
@@ -89,7 +89,7 @@ impl Sampled {
             },
             target: known.unwrap_or(settings.samples.min(afforded)),
             weights: known.map(|count| Weights::new(settings, at, count)),
-            kept: known.is_none().then(Box::default),
+            kept: known.is_none().then(Vec::new),
             spread: wanted.then(|| Box::new(new_spread(settings))),
         }
     }
@@ -185,7 +185,7 @@ impl Sampled {
         self.pixel.error = self.standard_error();
         if let Some(kept) = &self.kept {
             let weights = Weights::new(settings, self.at, self.pixel.samples);
-            for (index, (radiance, sign)) in (0..).zip(&**kept) {
+            for (index, (radiance, sign)) in (0..).zip(kept) {
                 self.pixel.color += *radiance * weights.of(index, *sign);
             }
         }

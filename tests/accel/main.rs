@@ -32,12 +32,16 @@ fn bits(hit: Option<Hit>) -> Option<(u32, u64, [u64; 3])> {
 /// Asks all accelerators the same. The error says which one differs, and for which ray.
 fn agree(shapes: &[Shape], rays: &[(Ray, Interval)]) -> Result<(), String> {
     let list = Accel::build(AccelKind::List, shapes);
+    let ask = |accel: &Accel, (ray, interval): &(Ray, Interval)| {
+        bits(accel.closest(shapes, ray, *interval, &mut Silent))
+    };
+    let expected: Vec<_> = rays.iter().map(|ray| ask(&list, ray)).collect();
     for kind in TREES {
         let tree = Accel::build(kind, shapes);
-        for (ray, interval) in rays {
-            let closest = |a: &Accel| bits(a.closest(shapes, ray, *interval, &mut Silent));
-            let (expected, found) = (closest(&list), closest(&tree));
-            if expected != found {
+        for (asked, expected) in rays.iter().zip(&expected) {
+            let (ray, interval) = asked;
+            let found = ask(&tree, asked);
+            if *expected != found {
                 return Err(format!(
                     "{kind:?}: {ray:?} {interval:?}: {found:?}, the list {expected:?}"
                 ));
@@ -52,9 +56,9 @@ fn agree(shapes: &[Shape], rays: &[(Ray, Interval)]) -> Result<(), String> {
         tree.closest_many(shapes, rays, &mut closest);
         let mut any = vec![false; rays.len()];
         tree.any_many(shapes, rays, &mut any);
-        for (((ray, interval), closest), any) in rays.iter().zip(closest).zip(any) {
-            let expected = bits(list.closest(shapes, ray, *interval, &mut Silent));
-            if (expected, expected.is_some()) != (bits(closest), any) {
+        let found = closest.into_iter().zip(any);
+        for (((ray, interval), expected), (closest, any)) in rays.iter().zip(&expected).zip(found) {
+            if (*expected, expected.is_some()) != (bits(closest), any) {
                 return Err(format!(
                     "{kind:?}, in a bundle: {ray:?} {interval:?}: {closest:?} {any}, the list {expected:?}"
                 ));
@@ -64,7 +68,8 @@ fn agree(shapes: &[Shape], rays: &[(Ray, Interval)]) -> Result<(), String> {
     Ok(())
 }
 
-// 60 rays through each scene, 32 of them in two bundles. 10^7 rays are `RAYTREE_CASES=170000 cargo test --release --test accel trees_answer`.
+// 60 rays through each scene, 32 of them in two bundles. 10^7 rays are
+// `RAYTREE_CASES=3400 RAYTREE_ROUNDS=50 cargo test --release --test accel trees_answer`.
 proptest! {
     #![proptest_config(common::config(600))]
 
@@ -79,9 +84,12 @@ proptest! {
         let mut random = Random(seed);
         let frame = Frame { scale, offset: offset * random.point() };
         let shapes = scene(style, count, frame, &mut random);
-        let mut rays = fan(&shapes, frame, &mut random);
-        rays.extend(fan(&shapes, frame, &mut random));
-        rays.extend((0..28).map(|_| ray(&shapes, frame, &mut random)));
+        let rounds = common::number("RAYTREE_ROUNDS").unwrap_or(1);
+        let mut rays = Vec::new();
+        for _ in 0..2 * rounds {
+            rays.extend(fan(&shapes, frame, &mut random));
+        }
+        rays.extend((0..28 * rounds).map(|_| ray(&shapes, frame, &mut random)));
         prop_assert_eq!(agree(&shapes, &rays), Ok(()));
     }
 
