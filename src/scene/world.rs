@@ -81,7 +81,11 @@ impl World {
     /// What has to be asked where a primitive is hit.
     #[inline]
     pub fn company(&self, primitive: u32) -> Company {
-        self.company[self.scene.owners[primitive as usize] as usize]
+        if self.has_media {
+            self.company[self.scene.owners[primitive as usize] as usize]
+        } else {
+            Company::Away
+        }
     }
 
     /// The closest hit of a ray behind t = `from`.

@@ -5,7 +5,7 @@ use crate::math::sampler::light_run;
 use crate::math::{Interval, LightSampling, Ray, Rgb, Sampler};
 use crate::probe::Absence;
 use crate::scene::{Effect, Scene, Settings, World};
-use crate::shading::{Illumination, Interaction, Material, Projected, Source};
+use crate::shading::{Area, Illumination, Interaction, Material, Projected, Source};
 
 /// Who asks: each has points on the lights of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,6 +89,7 @@ impl Asker {
 }
 
 /// How many shadow rays a place sends to a light.
+#[inline]
 pub fn samples(scene: &Scene, settings: &Settings, light: u32) -> u32 {
     if scene.lights[light as usize].source.is_area() {
         settings.rays_to_area()
@@ -102,15 +103,22 @@ pub fn samples(scene: &Scene, settings: &Settings, light: u32) -> u32 {
 ///
 /// Not for highlights, which do not fall with the cosine that the polygon is weighed by; nor for the grid, which is the
 /// lecture's: points on the light, side by side.
+#[inline]
 pub fn seen(
     scene: &Scene,
     settings: &Settings,
     surface: &Surface,
     light: u32,
 ) -> Option<Box<Projected>> {
-    let Source::Area(area) = &scene.lights[light as usize].source else {
-        return None;
-    };
+    match &scene.lights[light as usize].source {
+        Source::Area(area) => polygon(area, settings, surface),
+        _ => None,
+    }
+}
+
+/// The same of an area.
+#[inline(never)]
+fn polygon(area: &Area, settings: &Settings, surface: &Surface) -> Option<Box<Projected>> {
     let by_what_it_brings = settings.light_sampling == LightSampling::Projected
         && settings.sampler != Sampler::Grid
         && settings.effects.has(Effect::SoftShadows)
@@ -124,17 +132,29 @@ pub fn seen(
 }
 
 /// The light as `at` sees it; of an area, what one sample adds to the mean.
+#[inline]
 pub fn illumination(
     scene: &Scene,
     settings: &Settings,
     asker: Asker,
     (at, projected): (&Interaction, Option<&Projected>),
+    light: (u32, u32),
+) -> Option<Illumination> {
+    match &scene.lights[light.0 as usize].source {
+        Source::Area(area) => one_of_many(area, settings, asker, (at, projected), light),
+        source => source.at(at.point, [0.0; 2]),
+    }
+}
+
+/// The same of an area. (On its own, so that scenes without areas pay nothing for it.)
+#[inline(never)]
+fn one_of_many(
+    area: &Area,
+    settings: &Settings,
+    asker: Asker,
+    (at, projected): (&Interaction, Option<&Projected>),
     (light, sample): (u32, u32),
 ) -> Option<Illumination> {
-    let source = &scene.lights[light as usize].source;
-    let Source::Area(area) = source else {
-        return source.at(at.point, [0.0; 2]);
-    };
     let u = asker.point(settings, light, sample);
     let seen = match projected {
         Some(polygon) => area.sample_projected((at.point, at.normal), polygon, u)?,

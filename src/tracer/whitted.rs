@@ -15,7 +15,7 @@ use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
 use crate::scene::{Budget, Company, Effect, Room, Settings, World};
 use crate::shading::{Entered, Interaction, optics, phong};
 use arrive::Arrival;
-use split::Split;
+use split::{Split, Through};
 
 pub use crate::scene::limits::MAX_DEPTH;
 
@@ -112,7 +112,13 @@ impl<'a, P: Probe> Tracer<'a, P> {
         if self.world.company(hit.primitive) == Company::Away {
             return self.shade(path, hit, at, None);
         }
-        match self.arrive(path, *hit, *at) {
+        self.arrived_among_media(path, *hit, *at)
+    }
+
+    /// The same where media may change. (On its own, so that scenes without media pay nothing for it.)
+    #[inline(never)]
+    fn arrived_among_media(&mut self, path: &mut Path, hit: Hit, at: Interaction) -> Rgb {
+        match self.arrive(path, hit, at) {
             Some(Arrival { hit, at, change }) => self.shade(path, &hit, &at, change.as_ref()),
             None => self.background(),
         }
@@ -148,48 +154,54 @@ impl<'a, P: Probe> Tracer<'a, P> {
             self.light(&mut sum, path, &surface, light);
         }
         // What comes from the mirrored and from the refracted direction.
-        let split = self.split(path, at, material, change);
+        let split = self.split(at, material, change);
         self.reflect(&mut sum, path, at, &split);
         self.transmit(&mut sum, path, at, &split);
         self.done(sum)
     }
 
     /// The reflected ray, if there is one: adds Wr radiance(R).
+    #[inline]
     fn reflect(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, split: &Split) {
-        let way = if split.reflected.is_black() {
-            Err(Absence::NoReflection)
-        } else if !self.settings.effects.has(Effect::Reflection) {
-            Err(Absence::EffectOff)
-        } else {
-            let direction = optics::reflect(-at.to_viewer, at.normal);
-            let n_dot_r = at.geometric_normal.dot(direction);
-            if n_dot_r > 0.0 {
-                Ok((direction, path.entered))
-            } else {
-                Err(Absence::BelowSurface { n_dot_r })
-            }
-        };
-        self.follow(sum, path, at, RayKind::Reflected, split.reflected, way);
+        let kind = RayKind::Reflected;
+        if split.reflected.is_black() {
+            return self.absent(kind, Absence::NoReflection);
+        }
+        if !self.settings.effects.has(Effect::Reflection) {
+            return self.absent(kind, Absence::EffectOff);
+        }
+        let direction = optics::reflect(-at.to_viewer, at.normal);
+        let n_dot_r = at.geometric_normal.dot(direction);
+        if n_dot_r <= 0.0 {
+            return self.absent(kind, Absence::BelowSurface { n_dot_r });
+        }
+        let way = (direction, path.entered);
+        self.follow(sum, path, at, kind, split.reflected, way);
     }
 
     /// The transmitted ray, if there is one: adds Wt radiance(T).
+    #[inline]
     fn transmit(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, split: &Split) {
-        let way = match split.refracted {
-            Err(k) if k < 0.0 => Err(Absence::TotalInternalReflection { k }),
-            Err(_) => Err(Absence::NoTransmission),
-            Ok(_) if split.transmitted.is_black() => Err(Absence::NoTransmission),
-            Ok(_) if !self.settings.effects.has(Effect::Refraction) => Err(Absence::EffectOff),
-            Ok(direction) => {
-                // Through a surface means to the other side of it, by the geometric normal.
-                let n_dot_r = at.geometric_normal.dot(direction);
-                if n_dot_r < 0.0 {
-                    Ok((direction, split.beyond))
-                } else {
-                    Err(Absence::BelowSurface { n_dot_r })
-                }
-            }
-        };
-        self.follow(sum, path, at, RayKind::Transmitted, split.transmitted, way);
+        match &split.transmitted {
+            Ok(through) => self.go_through(sum, path, at, through),
+            Err(reason) => self.absent(RayKind::Transmitted, *reason),
+        }
+    }
+
+    /// The same where something is transmitted.
+    #[inline(never)]
+    fn go_through(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, through: &Through) {
+        let kind = RayKind::Transmitted;
+        if !self.settings.effects.has(Effect::Refraction) {
+            return self.absent(kind, Absence::EffectOff);
+        }
+        // Through a surface means to the other side of it, by the geometric normal.
+        let n_dot_r = at.geometric_normal.dot(through.direction);
+        if n_dot_r >= 0.0 {
+            return self.absent(kind, Absence::BelowSurface { n_dot_r });
+        }
+        let way = (through.direction, through.beyond);
+        self.follow(sum, path, at, kind, through.share, way);
     }
 
     /// Follows a secondary ray that physics allows, unless a limit forbids it: adds weight x its radiance.
@@ -200,32 +212,35 @@ impl<'a, P: Probe> Tracer<'a, P> {
         at: &Interaction,
         kind: RayKind,
         weight: Rgb,
-        way: Result<(DVec3, Entered), Absence>,
+        (direction, entered): (DVec3, Entered),
     ) {
         let throughput = path.throughput * weight;
-        let allowed = way.and_then(|way| self.within_limits(path.depth, throughput).map(|()| way));
-        match allowed {
-            Err(reason) => self.probe.event(Event::Absent {
-                kind,
-                light: NONE,
-                reason,
-            }),
-            Ok((direction, entered)) => {
-                let ray = Ray::new(at.origin_towards(direction), direction);
-                let radiance = self.radiance(&mut Path {
-                    kind,
-                    ray,
-                    depth: path.depth + 1,
-                    weight,
-                    throughput,
-                    entered,
-                    medium: self.medium(&ray, &entered),
-                    asker: path.asker.follow(kind == RayKind::Transmitted),
-                    foreseen: None,
-                });
-                *sum += weight * radiance;
-            }
+        if let Err(reason) = self.within_limits(path.depth, throughput) {
+            return self.absent(kind, reason);
         }
+        let ray = Ray::new(at.origin_towards(direction), direction);
+        let radiance = self.radiance(&mut Path {
+            kind,
+            ray,
+            depth: path.depth + 1,
+            weight,
+            throughput,
+            entered,
+            medium: self.medium(&ray, &entered),
+            asker: path.asker.follow(kind == RayKind::Transmitted),
+            foreseen: None,
+        });
+        *sum += weight * radiance;
+    }
+
+    /// Tells of a secondary ray that is not sent.
+    #[inline]
+    fn absent(&mut self, kind: RayKind, reason: Absence) {
+        self.probe.event(Event::Absent {
+            kind,
+            light: NONE,
+            reason,
+        });
     }
 
     /// The three ends of recursion besides a miss: depth, weight and budget.

@@ -17,28 +17,50 @@ impl<P: Probe> Tracer<'_, P> {
         if let Some(asked) = path.foreseen.and_then(|f| *f.asked.get(light as usize)?) {
             return self.light_as_foreseen(sum, surface, light, &asked);
         }
-        let (scene, settings) = (&self.world.scene, self.settings);
-        let count = lights::samples(scene, settings, light);
-        let projected = lights::seen(scene, settings, surface, light);
-        let facing = (surface, projected.as_deref());
-        if !P::LISTENS && count > 1 && self.settings.effects.has(Effect::Shadows) {
-            return self.light_in_a_bundle(sum, path, facing, light, count);
+        if self.world.scene.lights[light as usize].source.is_area() {
+            return self.area_light(sum, path, surface, light);
         }
-        if count > 1 {
-            let samples = count;
+        self.one_sample(sum, path, (surface, None), (light, 0));
+    }
+
+    /// The same of an area. (On its own, so that scenes without areas pay nothing for it.)
+    #[inline(never)]
+    fn area_light(&mut self, sum: &mut Rgb, path: &Path, surface: &Surface, light: u32) {
+        let settings = self.settings;
+        let samples = settings.rays_to_area();
+        let projected = lights::seen(&self.world.scene, settings, surface, light);
+        let facing = (surface, projected.as_deref());
+        if samples > 1 {
+            if !P::LISTENS && settings.effects.has(Effect::Shadows) {
+                return self.light_in_a_bundle(sum, path, facing, light, samples);
+            }
             self.probe.event(Event::Bundle { light, samples });
         }
-        for sample in 0..count {
-            if self.no_more_light(light) {
+        for sample in 0..samples {
+            if !self.one_sample(sum, path, facing, (light, sample)) {
                 break;
             }
-            let Some(question) = self.question(path, facing, (light, sample)) else {
-                continue;
-            };
-            if !self.shadowed(path, (light, sample), &question) {
-                self.lit(sum, surface, (light, sample), &question);
-            }
         }
+    }
+
+    /// One sample of a light: its shadow ray, and what it brings. False if the budget has nothing left for it.
+    #[inline]
+    fn one_sample(
+        &mut self,
+        sum: &mut Rgb,
+        path: &Path,
+        facing: Facing,
+        light: (u32, u32),
+    ) -> bool {
+        if self.no_more_light(light.0) {
+            return false;
+        }
+        if let Some(question) = self.question(path, facing, light)
+            && !self.shadowed(path, light, &question)
+        {
+            self.lit(sum, facing.0, light, &question);
+        }
+        true
     }
 
     /// The same with one shadow ray that has been asked already.
@@ -56,6 +78,7 @@ impl<P: Probe> Tracer<'_, P> {
     }
 
     /// The same with all shadow rays asked together.
+    #[inline(never)]
     fn light_in_a_bundle(
         &mut self,
         sum: &mut Rgb,

@@ -1,57 +1,77 @@
 //! How a surface shares light between the reflected and the transmitted ray.
 
-use super::{Path, Tracer};
+use super::Tracer;
 use crate::math::{DVec3, Rgb};
-use crate::probe::{Event, Probe};
+use crate::probe::{Absence, Event, Probe};
 use crate::shading::{Entered, Interaction, Material, optics};
 use crate::tracer::boundary::Change;
 
-/// What a surface does with a ray that arrived: the two directions and their shares.
+/// What a surface does with a ray that arrived.
 pub struct Split {
+    /// The share of the light that is reflected.
     pub reflected: Rgb,
-    pub transmitted: Rgb,
-    /// The refracted direction, or the negative k of total internal reflection.
-    pub refracted: Result<DVec3, f64>,
+    /// What goes through, or why nothing does.
+    pub transmitted: Result<Through, Absence>,
+}
+
+/// What goes through a surface.
+pub struct Through {
+    /// Its share of the light.
+    pub share: Rgb,
+    /// Where it goes.
+    pub direction: DVec3,
     /// The open objects that a ray is inside of that went through.
     pub beyond: Entered,
 }
 
 impl<P: Probe> Tracer<'_, P> {
-    /// How the surface shares light between reflection and transmission.
-    ///
-    /// A transparent surface reflects the share F of what it would let through (Fresnel): Wr = Kr + F Kt,
-    /// Wt = (1 - F) Kt. Under total internal reflection F is 1, in every model.
+    /// How the surface shares light between reflection and transmission, where `change` is what changes there if it is
+    /// transparent.
+    #[inline]
     pub(super) fn split(
         &mut self,
-        path: &Path,
         at: &Interaction,
         m: &Material,
         change: Option<&Change>,
     ) -> Split {
-        let Some(&Change { media, entered }) = change else {
-            return Split {
+        match change {
+            Some(change) => self.split_by_fresnel(at, m, change),
+            None => Split {
                 reflected: m.mirror,
-                transmitted: Rgb::BLACK,
-                refracted: Err(0.0),
-                beyond: path.entered,
-            };
-        };
-        let [n1, n2] = media.map(|medium| self.world.scene.medium_ior(medium));
+                transmitted: Err(Absence::NoTransmission),
+            },
+        }
+    }
+
+    /// A transparent surface reflects the share F of what it would let through (Fresnel): Wr = Kr + F Kt,
+    /// Wt = (1 - F) Kt. Under total internal reflection F is 1, in every model.
+    #[inline(never)]
+    fn split_by_fresnel(&mut self, at: &Interaction, m: &Material, change: &Change) -> Split {
+        let [n1, n2] = change
+            .media
+            .map(|medium| self.world.scene.medium_ior(medium));
         let refracted = optics::refract(-at.to_viewer, at.normal, n1, n2);
-        let share = refracted.map_or(1.0, |t| {
+        let reflectance = refracted.map_or(1.0, |t| {
             let (cos_i, cos_t) = (at.normal.dot(at.to_viewer), -at.normal.dot(t));
             self.settings.fresnel.reflectance(cos_i, cos_t, n1, n2)
         });
         self.probe.event(Event::Boundary {
             n1,
             n2,
-            reflectance: share,
+            reflectance,
         });
+        let share = m.transmission * (1.0 - reflectance);
         Split {
-            reflected: m.mirror + m.transmission * share,
-            transmitted: m.transmission * (1.0 - share),
-            refracted,
-            beyond: entered,
+            reflected: m.mirror + m.transmission * reflectance,
+            transmitted: match refracted {
+                Err(k) if k < 0.0 => Err(Absence::TotalInternalReflection { k }),
+                Ok(direction) if !share.is_black() => Ok(Through {
+                    share,
+                    direction,
+                    beyond: change.entered,
+                }),
+                _ => Err(Absence::NoTransmission),
+            },
         }
     }
 }
