@@ -48,7 +48,7 @@ pub struct Step {
     /// The whole settings.
     pub settings: Settings,
     /// Whether shapes are tested one by one with the arithmetic of the settings, ours like any other: see
-    /// [`super::robust`].
+    /// `lab::robust`.
     pub one_by_one: bool,
 }
 
