@@ -2,14 +2,17 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/random.rs"]
+mod random;
 mod scenes;
 
 use proptest::prelude::*;
+use random::Random;
 use raytree::accel::{Accel, AccelKind, AccelStats};
 use raytree::geometry::{Hit, Plane, Shape};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
-use scenes::{Frame, Random, STYLES, fan, ray, scene, triangle};
+use scenes::{Frame, STYLES, fan, ray, scene, triangle};
 
 const TREES: [AccelKind; 10] = [
     AccelKind::Bsp,

@@ -4,42 +4,15 @@ use glam::{DAffine3, DQuat};
 use raytree::geometry::{Aabb, Cuboid, Disc, Placed, Plane, Shape, Sphere, Triangle};
 use raytree::math::{DVec3, Interval, Ray, Transform};
 
+use super::random::Random;
+
 pub fn triangle(corners: [DVec3; 3]) -> Shape {
     Shape::Triangle(Triangle { corners })
 }
 
-/// Random numbers that are the same in every run.
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In [-1, 1).
-    pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    pub fn below(&mut self, n: usize) -> usize {
-        (self.bits() % n as u64) as usize
-    }
-
-    pub fn point(&mut self) -> DVec3 {
-        DVec3::new(self.unit(), self.unit(), self.unit())
-    }
-
-    /// A point on a coarse grid, so that coordinates, edges and planes coincide.
-    pub fn grid_point(&mut self) -> DVec3 {
-        (self.point() * 3.0).round() / 2.0
-    }
-
-    pub fn direction(&mut self) -> DVec3 {
-        self.point().normalize_or(DVec3::X)
-    }
+/// A point on a coarse grid, so that coordinates, edges and planes coincide.
+pub fn grid_point(random: &mut Random) -> DVec3 {
+    (random.point() * 3.0).round() / 2.0
 }
 
 /// The kinds of scene that the property ranges over.
@@ -87,11 +60,9 @@ pub fn scene(style: Style, count: usize, frame: Frame, random: &mut Random) -> V
     (0..count)
         .map(|i| match style {
             Style::Soup => frame.triangle([random.point(), random.point(), random.point()]),
-            Style::Grid => frame.triangle([
-                random.grid_point(),
-                random.grid_point(),
-                random.grid_point(),
-            ]),
+            Style::Grid => {
+                frame.triangle([grid_point(random), grid_point(random), grid_point(random)])
+            }
             Style::Slivers => {
                 let (a, along) = (random.point(), random.point());
                 let thin = random.point() * [1e-3, 1e-9, 1e-15, 0.0][random.below(4)];
@@ -122,7 +93,7 @@ pub fn scene(style: Style, count: usize, frame: Frame, random: &mut Random) -> V
 
 /// A sphere, a box, either of them turned and stretched, a disc, a plane or a triangle.
 pub fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
-    let center = frame.place(random.grid_point());
+    let center = frame.place(grid_point(random));
     let size = frame.scale * (0.05 + 0.4 * random.unit().abs());
     let stretch = DVec3::new(1.0, 1.0 + random.unit().abs() * 4.0, 0.5);
     let local = if random.below(2) == 0 {
@@ -154,7 +125,7 @@ pub fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
             }))
         }
         3 if i == 3 => Shape::Plane(Plane::new(center, random.direction())),
-        _ => frame.triangle([random.point(), random.point(), random.grid_point()]),
+        _ => frame.triangle([random.point(), random.point(), grid_point(random)]),
     }
 }
 
@@ -163,7 +134,7 @@ pub fn ray(shapes: &[Shape], frame: Frame, random: &mut Random) -> (Ray, Interva
     let on = |random: &mut Random| {
         let shape = &shapes[random.below(shapes.len())];
         let Shape::Triangle(Triangle { corners: [a, b, c] }) = *shape else {
-            return frame.place(random.grid_point());
+            return frame.place(grid_point(random));
         };
         let (u, v) = (random.unit().abs(), random.unit().abs());
         match random.below(4) {
@@ -176,7 +147,7 @@ pub fn ray(shapes: &[Shape], frame: Frame, random: &mut Random) -> (Ray, Interva
     let origin = match random.below(4) {
         0 => frame.place(3.0 * random.point()),
         1 => on(random),
-        2 => frame.place(random.grid_point()),
+        2 => frame.place(grid_point(random)),
         _ => frame.place(random.point()),
     };
     let axis = DVec3::AXES[random.below(3)];

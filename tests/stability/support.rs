@@ -5,46 +5,14 @@ use raytree::geometry::{Hit, Intersection, Shape, Shear, Triangle};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::scene::{Scene, load};
 
+pub use super::random::Random;
+
 /// `full` rays in the long run, `share` of them in a plain `cargo test`.
 pub fn count(full: usize, share: usize) -> usize {
     if std::env::var("RAYTREE_STABILITY").is_ok_and(|v| v == "full") {
         full
     } else {
         share
-    }
-}
-
-/// Random numbers that are the same in every run.
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In [-1, 1).
-    pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    /// In [0, 1).
-    pub fn share(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    pub fn below(&mut self, n: usize) -> usize {
-        (self.bits() % n as u64) as usize
-    }
-
-    pub fn point(&mut self) -> DVec3 {
-        DVec3::new(self.unit(), self.unit(), self.unit())
-    }
-
-    pub fn direction(&mut self) -> DVec3 {
-        self.point().normalize_or(DVec3::X)
     }
 }
 
