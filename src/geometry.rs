@@ -89,7 +89,8 @@ pub struct SurfacePoint {
     pub uv: DVec2,
 }
 
-/// A shape in the world: the closed set of what can be hit.
+/// A shape in the world: the closed set of what can be hit. Those that are larger than a triangle are boxed, since
+/// there may be millions of triangles.
 #[derive(Clone, Debug)]
 pub enum Shape {
     /// A flat triangle.
@@ -97,16 +98,19 @@ pub enum Shape {
     /// A sphere.
     Sphere(Sphere),
     /// An endless plane.
-    Plane(Plane),
+    Plane(Box<Plane>),
     /// A box with faces along the axes.
     Cuboid(Cuboid),
     /// A disc.
-    Disc(Disc),
+    Disc(Box<Disc>),
     /// A sphere, box or disc that was turned or stretched: tested in its own space.
     Placed(Box<Placed>),
     /// Any of these, tested with other arithmetic: only where a user asked to see it.
     Naive(Box<Naive>),
 }
+
+// There may be millions.
+const _: () = assert!(size_of::<Shape>() == 80);
 
 /// A shape in its own space, and the way from there into the world.
 #[derive(Clone, Debug)]

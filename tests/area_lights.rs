@@ -155,7 +155,7 @@ fn points_are_even_on_every_form() {
     let from = DVec3::new(0.2, -3.0, 0.1);
     let disc = Disc::new(DVec3::ZERO, DVec3::Y, 2.0);
     even(
-        points(&area(&[Shape::Disc(disc)]), from)
+        points(&area(&[Shape::Disc(Box::new(disc))]), from)
             .iter()
             .map(|p| [(p.x * p.x + p.z * p.z) / 4.0, turn(p.x, p.z)]),
         "disc",

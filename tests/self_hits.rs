@@ -58,8 +58,8 @@ fn shape() -> impl Strategy<Value = Shape> {
     let boxes = (at.clone(), unit(), size.clone())
         .prop_map(move |(at, edge, size)| Shape::Cuboid(cuboid(at, (edge.abs() + 0.01) * size)));
     let discs = (at.clone(), unit(), size.clone())
-        .prop_map(|(at, normal, size)| Shape::Disc(Disc::new(at, normal, size)));
-    let planes = (at.clone(), unit()).prop_map(|(p, n)| Shape::Plane(Plane::new(p, n)));
+        .prop_map(|(at, normal, size)| Shape::Disc(Box::new(Disc::new(at, normal, size))));
+    let planes = (at.clone(), unit()).prop_map(|(p, n)| Shape::Plane(Box::new(Plane::new(p, n))));
     let placed = (at, unit(), 0.0..6.0f64, unit(), size, any::<bool>()).prop_filter_map(
         "invertible",
         move |(at, axis, angle, stretch, size, round)| {

@@ -50,7 +50,7 @@ pub fn scene() -> Option<Scene> {
     });
     sketch.begin("floor", floor);
     let plane = Plane::new(DVec3::ZERO, DVec3::Y);
-    sketch.put(Shape::Plane(plane));
+    sketch.put(Shape::Plane(Box::new(plane)));
 
     let colors: Vec<u32> = (0..HUES)
         .map(|i| sketch.material(plain(&format!("color {i}"), hue(i))))

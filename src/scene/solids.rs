@@ -77,6 +77,9 @@ mod tests {
         };
         assert!(is_closed(&[Shape::Sphere(ball)]));
         let floor = Plane::new(DVec3::ZERO, DVec3::Y);
-        assert!(!is_closed(&[Shape::Sphere(ball), Shape::Plane(floor)]));
+        assert!(!is_closed(&[
+            Shape::Sphere(ball),
+            Shape::Plane(Box::new(floor))
+        ]));
     }
 }

@@ -74,7 +74,7 @@ impl Area {
                 let area = 4.0 * PI * sphere.radius * sphere.radius;
                 (Form::Sphere(*sphere), area)
             }
-            [Shape::Disc(disc)] => (Form::Disc(*disc), PI * disc.radius * disc.radius),
+            [Shape::Disc(disc)] => (Form::Disc(**disc), PI * disc.radius * disc.radius),
             [Shape::Triangle(s), Shape::Triangle(t)] if parallelogram(s, t) => {
                 let [a, b, c] = s.corners;
                 // The halves are a b c and a c d: the edges leave b.

@@ -353,6 +353,6 @@ fn nothing_to_build_on_is_no_trouble() {
         assert_eq!((empty.node(0), empty.stats().nodes), (None, 0));
     }
     // An endless plane has no place in the tree.
-    let floor = [Shape::Plane(Plane::new(DVec3::ZERO, DVec3::Y))];
+    let floor = [Shape::Plane(Box::new(Plane::new(DVec3::ZERO, DVec3::Y)))];
     assert_eq!(agree(&floor, &[(ray, Interval::FORWARD)]), Ok(()));
 }

@@ -107,7 +107,7 @@ pub fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
         })
     };
     match i % 6 {
-        5 => Shape::Disc(Disc::new(center, random.direction(), size)),
+        5 => Shape::Disc(Box::new(Disc::new(center, random.direction(), size))),
         0 => Shape::Sphere(Sphere {
             center,
             radius: size,
@@ -124,7 +124,7 @@ pub fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
                 transform,
             }))
         }
-        3 if i == 3 => Shape::Plane(Plane::new(center, random.direction())),
+        3 if i == 3 => Shape::Plane(Box::new(Plane::new(center, random.direction()))),
         _ => frame.triangle([random.point(), random.point(), grid_point(random)]),
     }
 }

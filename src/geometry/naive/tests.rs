@@ -41,9 +41,13 @@ fn shapes() -> Vec<Shape> {
             center: 0.1 * place(4),
             radius: 0.6,
         }),
-        Shape::Plane(Plane::new(0.2 * place(5), place(6).normalize())),
+        Shape::Plane(Box::new(Plane::new(0.2 * place(5), place(6).normalize()))),
         Shape::Cuboid(cuboid),
-        Shape::Disc(Disc::new(0.2 * place(7), place(8).normalize(), 0.7)),
+        Shape::Disc(Box::new(Disc::new(
+            0.2 * place(7),
+            place(8).normalize(),
+            0.7,
+        ))),
         Shape::Placed(Box::new(Placed {
             shape: Shape::Cuboid(cuboid),
             transform: Transform::new(turned).expect("a turn"),

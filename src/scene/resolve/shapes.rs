@@ -21,15 +21,15 @@ pub fn sphere(sphere: Sphere, map: Option<&Transform>, turn_shows: bool) -> Shap
 /// A disc in the world. Scaled evenly it stays a disc, as long as nobody sees where its u begins.
 pub fn disc(disc: Disc, map: Option<&Transform>, turn_shows: bool) -> Shape {
     let Some(map) = map else {
-        return Shape::Disc(disc);
+        return Shape::Disc(Box::new(disc));
     };
     match map.uniform_scale() {
-        Some(scale) if !turn_shows => Shape::Disc(Disc::new(
+        Some(scale) if !turn_shows => Shape::Disc(Box::new(Disc::new(
             map.point(disc.center),
             map.normal(disc.frame.w),
             disc.radius * scale,
-        )),
-        _ => placed(Shape::Disc(disc), map),
+        ))),
+        _ => placed(Shape::Disc(Box::new(disc)), map),
     }
 }
 
@@ -49,10 +49,10 @@ pub fn cuboid(bounds: Aabb, map: Option<&Transform>) -> Shape {
 
 /// A plane in the world.
 pub fn plane(point: DVec3, normal: DVec3, map: Option<&Transform>) -> Shape {
-    Shape::Plane(match map {
+    Shape::Plane(Box::new(match map {
         None => Plane::new(point, normal),
         Some(map) => Plane::new(map.point(point), map.normal(normal)),
-    })
+    }))
 }
 
 fn placed(shape: Shape, transform: &Transform) -> Shape {
