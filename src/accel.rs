@@ -36,6 +36,10 @@ use crate::geometry::{Hit, Intersection, Shape, Shear};
 use crate::math::{DVec3, Interval, Ray};
 use crate::probe::{Event, Probe, Verdict};
 
+/// Is told from time to time which part of a structure stands, from 0 to 1: by those that are built part by part, `kd`
+/// and `wide` of large scenes.
+pub type Watch<'a> = &'a (dyn Fn(f64) + Sync);
+
 /// Which accelerator to build.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum AccelKind {
@@ -174,15 +178,20 @@ pub struct Query<'a> {
 impl Accel {
     /// Builds the structure over `shapes`, whose indices become the primitive ids.
     pub fn build(kind: AccelKind, shapes: &[Shape]) -> Self {
+        Self::build_watched(kind, shapes, &|_| ())
+    }
+
+    /// The same under the eyes of somebody who waits for it.
+    pub fn build_watched(kind: AccelKind, shapes: &[Shape], watch: Watch) -> Self {
         match kind {
             AccelKind::List => Self::List(List::build(shapes)),
-            AccelKind::Kd => Self::Planes(kd::build(shapes)),
-            AccelKind::BspSah => Self::Planes(oblique::build(shapes)),
+            AccelKind::Kd => Self::Planes(kd::build(shapes, watch)),
+            AccelKind::BspSah => Self::Planes(oblique::build(shapes, watch)),
             AccelKind::Grid => Self::Grid(Grid::build(shapes)),
             AccelKind::Octree => Self::Boxes(octree::build(shapes)),
             AccelKind::Bvh => Self::Boxes(bvh::build(shapes, false)),
             AccelKind::BvhSpheres => Self::Boxes(bvh::build(shapes, true)),
-            AccelKind::Wide => Self::Wide(Wide::build(shapes)),
+            AccelKind::Wide => Self::Wide(Wide::build(shapes, watch)),
             _ => Self::Bsp(Bsp::build(kind, shapes)),
         }
     }

@@ -1,6 +1,7 @@
 //! The command line: one file a command.
 
 mod again;
+mod building;
 mod color;
 mod cost;
 mod effects;

@@ -7,7 +7,7 @@
 //! A hit at t lies within the slack of its shape (see `slack`), and the shape inside the volume: so volumes are grown
 //! by the slack before they are asked, and no hit is lost.
 
-use super::sift::{Sifted, sift};
+use super::sift::{Sifted, bounds_of, sift};
 use super::slack::Slack;
 use super::{AccelStats, NodeView, Query};
 use crate::geometry::{Aabb, Hit, Shape};
@@ -67,7 +67,10 @@ impl Boxes {
             slack,
             ..
         } = sift(shapes, Slack::MAX_REACH);
-        let item = |(primitive, bounds)| Item { primitive, bounds };
+        let item = |primitive| Item {
+            primitive,
+            bounds: bounds_of(shapes, primitive),
+        };
         let items: Vec<Item> = inside.into_iter().map(item).collect();
         let tree = Self {
             nodes: Vec::new(),

@@ -16,7 +16,7 @@ const LEAF: usize = 4;
 const BINS: usize = 16;
 
 /// Deeper, the parts are halved, so that the depth stays below 64 for any number of primitives.
-const DEEP: u32 = 32;
+pub const DEEP: u32 = 32;
 
 /// Builds the tree over `shapes`, bounded by boxes or by spheres.
 pub fn build(shapes: &[Shape], spheres: bool) -> Boxes {
@@ -44,7 +44,10 @@ pub fn build(shapes: &[Shape], spheres: bool) -> Boxes {
             tree.fill(id, part);
             continue;
         }
-        let middle = range.start + halve(part, depth);
+        let plane = (depth < DEEP)
+            .then(|| choose(&part.iter().map(|item| item.bounds)))
+            .flatten();
+        let middle = range.start + halve(part, |item| item.bounds, plane);
         let first = tree.nodes.len();
         for (k, half) in [range.start..middle, middle..range.end]
             .into_iter()
@@ -58,13 +61,17 @@ pub fn build(shapes: &[Shape], spheres: bool) -> Boxes {
     tree
 }
 
-/// Sorts the items into two parts; how many are in the first one. Neither is empty.
-fn halve(items: &mut [Item], depth: u32) -> usize {
-    let plane = if depth < DEEP { choose(items) } else { None };
+/// Sorts items, two or more, into those whose centers are behind a plane across an axis and the others; how many are in the
+/// first part. Neither is empty.
+pub fn halve<T>(
+    items: &mut [T],
+    bounds: impl Fn(&T) -> Aabb,
+    plane: Option<(usize, f64)>,
+) -> usize {
     if let Some((axis, d)) = plane {
         let (mut low, mut high) = (0, items.len());
         while low < high {
-            if items[low].bounds.center()[axis] < d {
+            if bounds(&items[low]).center()[axis] < d {
                 low += 1;
             } else {
                 high -= 1;
@@ -78,10 +85,10 @@ fn halve(items: &mut [Item], depth: u32) -> usize {
     items.len() / 2
 }
 
-/// Where to part the centers: the border between bins with the least sum of area times number on both sides. `None`
-/// if they are all in one place.
-fn choose(items: &[Item]) -> Option<(usize, f64)> {
-    let centers = Aabb::around(items.iter().map(|item| item.bounds.center()));
+/// Where to part the centers of boxes, an axis and a place on it: the border between bins with the least sum of area times
+/// number on both sides. `None` if they are all in one place.
+pub fn choose(boxes: &(impl Iterator<Item = Aabb> + Clone)) -> Option<(usize, f64)> {
+    let centers = Aabb::around(boxes.clone().map(Aabb::center));
     let (mut best, mut least) = (None, f64::INFINITY);
     for axis in 0..3 {
         let (min, width) = (centers.min[axis], centers.size()[axis] / BINS as f64);
@@ -89,10 +96,10 @@ fn choose(items: &[Item]) -> Option<(usize, f64)> {
             continue;
         }
         let mut bins = [(Aabb::EMPTY, 0); BINS];
-        for item in items {
-            let bin = ((item.bounds.center()[axis] - min) / width) as usize;
+        for b in boxes.clone() {
+            let bin = ((b.center()[axis] - min) / width) as usize;
             let bin = &mut bins[bin.min(BINS - 1)];
-            *bin = (bin.0.union(item.bounds), bin.1 + 1);
+            *bin = (bin.0.union(b), bin.1 + 1);
         }
         let add = |sum: &mut (Aabb, u32), bin: &(Aabb, u32)| {
             *sum = (sum.0.union(bin.0), sum.1 + bin.1);

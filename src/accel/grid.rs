@@ -7,7 +7,7 @@
 //! is within the slack of the cell that is visited for t, and a hit at t is within the slack of its shape. Shapes are
 //! put into all cells that their boxes reach when they are grown by several times that.
 
-use super::sift::{Sifted, sift};
+use super::sift::{Sifted, bounds_of, sift};
 use super::slack::Slack;
 use super::{AccelStats, NodeView, Query};
 use crate::geometry::{Aabb, Hit, Shape};
@@ -46,7 +46,7 @@ impl Grid {
     /// Sorts `shapes` into cells.
     pub fn build(shapes: &[Shape]) -> Self {
         let Sifted {
-            inside: items,
+            inside,
             outside,
             bounds,
             slack,
@@ -61,6 +61,8 @@ impl Grid {
             slack,
             most: 0.0,
         };
+        let with_bounds = |id| (id, bounds_of(shapes, id));
+        let items: Vec<(u32, Aabb)> = inside.into_iter().map(with_bounds).collect();
         let mut cells = DENSITY * items.len() as f64;
         while !items.is_empty() && !grid.sort(&items, cells) {
             cells /= 4.0;

@@ -1,7 +1,7 @@
 //! A kd-tree: a binary space partitioning tree whose planes are all along the axes, each the best of all that there
 //! are by the surface area heuristic.
 //!
-//! Bounds are sorted once, for the root. A plane parts the sorted lists into two that are sorted as well; only the
+//! Bounds are sorted once, for the root (of large scenes, for each of the parts that [`upper`] leaves). A plane parts the sorted lists into two that are sorted as well; only the
 //! bounds of what it cuts, which are new, are sorted and merged in. So the whole is done in O(n log n).
 //! Source: Wald and Havran 2006, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)".
 //!
@@ -9,15 +9,16 @@
 
 mod events;
 mod part;
+mod upper;
 
-use rayon::join;
-
+use super::Watch;
 use super::local::Frame;
 use super::planes::{MAX_DEPTH, MAX_REACH, MAX_REFERENCES, Node, Planes, Tree};
 use super::sift::sift;
 use crate::geometry::Shape;
 use events::{Best, Event, sweep};
 use part::{Clip, part};
+use upper::Task;
 
 /// What a step to a child and a test of a primitive cost.
 pub const STEP: f64 = 1.0;
@@ -25,9 +26,6 @@ pub const TEST: f64 = 1.5;
 
 /// A plane that cuts off empty space is taken to cost this part of what it does. Source: Wald and Havran 2006.
 pub const EMPTY_BONUS: f64 = 0.8;
-
-/// Cells of so many items have their halves built side by side.
-const PARALLEL: usize = 4096;
 
 /// Of a box, the smallest and the largest x, y and z.
 pub type Bounds = [[f32; 3]; 2];
@@ -48,44 +46,50 @@ pub struct Cell {
 }
 
 /// Builds the tree over `shapes`. No step depends on the number of threads.
-pub fn build(shapes: &[Shape]) -> Planes {
+pub fn build(shapes: &[Shape], watch: Watch) -> Planes {
     let sifted = sift(shapes, MAX_REACH);
     let frame = Frame::new(sifted.bounds, sifted.slack);
     let clip = Clip {
         shapes,
         frame: &frame,
     };
-    let items: Vec<Item> = sifted
-        .inside
-        .iter()
-        .map(|(id, _)| clip.whole(*id))
-        .collect();
-    let bounds = around(&items);
-    let count = items.len();
+    let bounds = around(sifted.inside.iter().map(|id| clip.whole(*id)));
+    let count = sifted.inside.len();
     let mut tree = Tree::default();
     if count > 0 {
-        let list = |axis| {
-            let mut list = Vec::with_capacity(2 * count);
+        let whole = Task {
+            primitives: sifted.inside,
+            bounds,
+            place: 0,
+            levels: [0, (8 + 2 * count.ilog2()).min(MAX_DEPTH)],
+            spare: (MAX_REFERENCES - 1) * count,
+        };
+        tree = upper::tree(&clip, whole, watch);
+    }
+    Planes::new(frame, bounds, tree, sifted.outside, shapes)
+}
+
+impl Cell {
+    /// A cell with the events of its items sorted.
+    fn new(items: Vec<Item>, bounds: Bounds) -> Self {
+        let events = [0, 1, 2].map(|axis| {
+            let mut list = Vec::with_capacity(2 * items.len());
             for (i, item) in items.iter().enumerate() {
                 Event::push(&mut list, i, &item.bounds, axis);
             }
             list.sort_unstable();
             list
-        };
-        let (x, (y, z)) = join(|| list(0), || join(|| list(1), || list(2)));
-        let cell = Cell {
+        });
+        Self {
             items,
-            events: [x, y, z],
+            events,
             bounds,
-        };
-        let levels = (8 + 2 * count.ilog2()).min(MAX_DEPTH);
-        tree = grow(&clip, cell, levels, (MAX_REFERENCES - 1) * count);
+        }
     }
-    Planes::new(frame, bounds, tree, sifted.outside, shapes)
 }
 
 /// The box around some items.
-pub fn around(items: &[Item]) -> Bounds {
+fn around(items: impl Iterator<Item = Item>) -> Bounds {
     let [mut min, mut max] = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
     for item in items {
         let [low, high] = item.bounds;
@@ -123,39 +127,31 @@ fn grow_at(
     let [behind, front] = part(clip, cell, &plane);
     let children = tree.pair();
     tree.nodes[place] = Node::along(plane.axis, plane.d, children);
-
-    // What may still be added is shared out by need.
-    let total = behind.items.len() + front.items.len();
-    let spare = spare - (total - whole);
-    let for_front = (spare as u128 * front.items.len() as u128 / total.max(1) as u128) as usize;
-    let for_behind = spare - for_front;
+    let [for_behind, for_front] = share(spare, whole, [behind.items.len(), front.items.len()]);
     let levels = [above + 1, below - 1];
-    if whole < PARALLEL {
-        grow_at(clip, tree, children, behind, levels, for_behind);
-        grow_at(clip, tree, children + 1, front, levels, for_front);
-    } else {
-        let (mut behind, mut front) = join(
-            || grow(clip, behind, below - 1, for_behind),
-            || grow(clip, front, below - 1, for_front),
-        );
-        behind.depth += above + 1;
-        front.depth += above + 1;
-        tree.graft(children, behind);
-        tree.graft(children + 1, front);
-    }
+    grow_at(clip, tree, children, behind, levels, for_behind);
+    grow_at(clip, tree, children + 1, front, levels, for_front);
+}
+
+/// Of the references that cutting a cell of `whole` items may add, what may still be added in its halves: shared out by
+/// need.
+fn share(spare: usize, whole: usize, halves: [usize; 2]) -> [usize; 2] {
+    let total = halves[0] + halves[1];
+    let spare = spare - (total - whole);
+    let for_front = (spare as u128 * halves[1] as u128 / total.max(1) as u128) as usize;
+    [spare - for_front, for_front]
 }
 
 /// The plane that promises least cost, if it promises less than testing all items in one leaf.
 fn choose(cell: &Cell) -> Option<Best> {
     let count = cell.items.len();
     let sweep = |axis: usize| sweep(&cell.events[axis], axis, count, &cell.bounds);
-    let all = if count < PARALLEL {
-        [sweep(0), sweep(1), sweep(2)]
-    } else {
-        let (x, (y, z)) = join(|| sweep(0), || join(|| sweep(1), || sweep(2)));
-        [x, y, z]
-    };
+    worthwhile((0..3).filter_map(sweep), count)
+}
+
+/// The cheapest plane, if it promises less than testing `count` items in one leaf.
+fn worthwhile(planes: impl Iterator<Item = Best>, count: usize) -> Option<Best> {
     let cheaper = |a: Best, b: Best| if b.cost < a.cost { b } else { a };
-    let best = all.into_iter().flatten().reduce(cheaper)?;
+    let best = planes.reduce(cheaper)?;
     (best.cost < TEST * count as f64).then_some(best)
 }

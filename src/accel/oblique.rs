@@ -10,11 +10,12 @@
 mod cell;
 mod choose;
 
+use super::Watch;
 use super::bsp::classify::{Item, Side, Splitter};
 use super::kd;
 use super::local::Frame;
 use super::planes::{MAX_DEPTH, MAX_REACH, MAX_REFERENCES, Node, Planes, Tilted, Tree};
-use super::sift::sift;
+use super::sift::{bounds_of, sift};
 use crate::geometry::{Aabb, Shape, Triangle};
 use cell::Cell;
 use choose::{Choice, choose};
@@ -23,22 +24,25 @@ use choose::{Choice, choose};
 const MOST: usize = 20_000;
 
 /// Builds the tree over `shapes`.
-pub fn build(shapes: &[Shape]) -> Planes {
+pub fn build(shapes: &[Shape], watch: Watch) -> Planes {
     if shapes.len() > MOST {
-        return kd::build(shapes);
+        return kd::build(shapes, watch);
     }
     let sifted = sift(shapes, MAX_REACH);
     let frame = Frame::new(sifted.bounds, sifted.slack);
     let moved: Vec<Option<Triangle>> = shapes.iter().map(|shape| inside(&frame, shape)).collect();
-    let whole = |&(id, bounds): &(u32, Aabb)| match moved[id as usize] {
-        Some(triangle) => Item::whole(id, &Shape::Triangle(triangle)),
-        None => Some(Item {
+    let whole = |id: u32| {
+        if let Some(triangle) = moved[id as usize] {
+            return Item::whole(id, &Shape::Triangle(triangle));
+        }
+        let bounds = bounds_of(shapes, id);
+        Some(Item {
             primitive: id,
             bounds: Aabb::around([bounds.min, bounds.max].map(|p| frame.inside(p))),
             corners: Vec::new(),
-        }),
+        })
     };
-    let items: Vec<Item> = sifted.inside.iter().filter_map(whole).collect();
+    let items: Vec<Item> = sifted.inside.iter().copied().filter_map(whole).collect();
     let bounds = Aabb::around(items.iter().flat_map(|i| [i.bounds.min, i.bounds.max]));
     let mut builder = Builder {
         triangles: moved,
@@ -171,7 +175,10 @@ mod tests {
                 Shape::Triangle(Triangle { corners })
             })
             .collect();
-        let (oblique, kd) = (build(&slats).stats(), kd::build(&slats).stats());
+        let (oblique, kd) = (
+            build(&slats, &|_| ()).stats(),
+            kd::build(&slats, &|_| ()).stats(),
+        );
         assert!(oblique.polygon_planes > 0);
         assert_eq!(oblique.references, slats.len());
         assert!(kd.references > slats.len(), "{kd:?}");

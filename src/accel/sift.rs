@@ -5,8 +5,8 @@ use crate::geometry::{Aabb, Shape};
 
 /// Shapes sorted by whether a tree can bound them.
 pub struct Sifted {
-    /// Those that go into the tree, in order, with their boxes.
-    pub inside: Vec<(u32, Aabb)>,
+    /// Those that go into the tree, in order; their boxes are [`bounds_of`] them.
+    pub inside: Vec<u32>,
     /// The others: without an end, too large, or placed too skew for a sharp bound.
     pub outside: Vec<u32>,
     /// Around all that is inside.
@@ -26,7 +26,7 @@ pub fn sift(shapes: &[Shape], max_reach: f64) -> Sifted {
                 reach = reach.max(r);
                 condition = condition.max(c);
                 around = around.union(b);
-                inside.push((id, b));
+                inside.push(id);
             }
             _ => outside.push(id),
         }
@@ -37,4 +37,9 @@ pub fn sift(shapes: &[Shape], max_reach: f64) -> Sifted {
         bounds: around,
         slack: Slack::new(reach, condition),
     }
+}
+
+/// The box around one of the shapes that go into the tree.
+pub fn bounds_of(shapes: &[Shape], id: u32) -> Aabb {
+    shapes[id as usize].bounds().unwrap_or(Aabb::EMPTY)
 }

@@ -9,13 +9,15 @@
 //! coherent ray tracing" (many rays for one box). The binary tree that nodes are collapsed from is built by `obvhs`:
 //! Meister and Bittner 2018, "Parallel locally-ordered clustering".
 
+mod binary;
 mod build;
 mod packet;
+mod parts;
 mod single;
 
 use super::local::Frame;
 use super::simd::Isa;
-use super::{AccelStats, NodeView, Query};
+use super::{AccelStats, NodeView, Query, Watch};
 use crate::geometry::{Hit, Shape};
 use crate::probe::{NONE, Probe};
 
@@ -77,8 +79,8 @@ struct Block {
 
 impl Wide {
     /// Builds the tree over `shapes`.
-    pub fn build(shapes: &[Shape]) -> Self {
-        build::build(shapes)
+    pub fn build(shapes: &[Shape], watch: Watch) -> Self {
+        build::build(shapes, watch)
     }
 
     /// The closest hit.

@@ -6,7 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use self::samples::SampleArgs;
-use super::Failure;
+use super::{Failure, building};
 use crate::accel::AccelKind;
 use crate::accel::fastest;
 use crate::geometry::{Arithmetic, Offset, Precision, Quadratic, Shape, TriangleTest};
@@ -209,7 +209,7 @@ impl SceneArgs {
             );
         }
         let scene = scene.computed_with(settings.arithmetic);
-        Ok((World::new(scene, settings.accel), settings))
+        Ok((building::world(scene, settings.accel), settings))
     }
 }
 

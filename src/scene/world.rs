@@ -2,7 +2,7 @@
 
 use super::company::{Company, company};
 use super::{Object, Scene, solids};
-use crate::accel::{Accel, AccelKind, crossings::second};
+use crate::accel::{Accel, AccelKind, Watch, crossings::second};
 use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Probe};
@@ -35,7 +35,12 @@ pub struct Room {
 impl World {
     /// Builds the acceleration structure.
     pub fn new(scene: Scene, kind: AccelKind) -> Self {
-        let accel = Accel::build(kind, &scene.shapes);
+        Self::watched(scene, kind, &|_| ())
+    }
+
+    /// The same under the eyes of somebody who waits for it.
+    pub fn watched(scene: Scene, kind: AccelKind, watch: Watch) -> Self {
+        let accel = Accel::build_watched(kind, &scene.shapes, watch);
         let is_medium = |o: &Object| scene.materials[o.material as usize].is_transmissive();
         let open = (0u32..)
             .zip(&scene.objects)

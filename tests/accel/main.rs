@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod large;
 #[path = "../common/random.rs"]
 mod random;
 mod scenes;
@@ -34,12 +35,17 @@ fn bits(hit: Option<Hit>) -> Option<(u32, u64, [u64; 3])> {
 
 /// Asks all accelerators the same. The error says which one differs, and for which ray.
 fn agree(shapes: &[Shape], rays: &[(Ray, Interval)]) -> Result<(), String> {
+    agree_on(&TREES, shapes, rays)
+}
+
+/// Asks these accelerators the same.
+fn agree_on(trees: &[AccelKind], shapes: &[Shape], rays: &[(Ray, Interval)]) -> Result<(), String> {
     let list = Accel::build(AccelKind::List, shapes);
     let ask = |accel: &Accel, (ray, interval): &(Ray, Interval)| {
         bits(accel.closest(shapes, ray, *interval, &mut Silent))
     };
     let expected: Vec<_> = rays.iter().map(|ray| ask(&list, ray)).collect();
-    for kind in TREES {
+    for &kind in trees {
         let tree = Accel::build(kind, shapes);
         for (asked, expected) in rays.iter().zip(&expected) {
             let (ray, interval) = asked;

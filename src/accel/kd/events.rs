@@ -73,23 +73,46 @@ pub struct Best {
     pub cut: usize,
 }
 
-/// The best plane across an axis, of all where something begins or ends.
-pub fn sweep(events: &[Event], axis: usize, count: usize, cell: &Bounds) -> Option<Best> {
-    let [min, max] = cell.map(|corner| corner.map(f64::from));
-    let [u, v] = [(axis + 1) % 3, (axis + 2) % 3].map(|k| max[k] - min[k]);
-    // Half the area of a part of the cell is side + rim width. Source of the cost: MacDonald and Booth 1990.
-    let (side, rim) = (u * v, u + v);
-    let whole = side + rim * (max[axis] - min[axis]);
-    let cost = |d: f64, behind: usize, front: usize| {
-        let tests = (side + rim * (d - min[axis])) * behind as f64
-            + (side + rim * (max[axis] - d)) * front as f64;
+/// What planes across an axis of a cell cost.
+pub struct Costs {
+    /// Where the cell begins and ends.
+    min: f64,
+    max: f64,
+    /// Half the area of a part of the cell is side + rim x width.
+    side: f64,
+    rim: f64,
+}
+
+impl Costs {
+    /// Those of a cell.
+    pub fn new(axis: usize, cell: &Bounds) -> Self {
+        let [min, max] = cell.map(|corner| corner.map(f64::from));
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3].map(|k| max[k] - min[k]);
+        Self {
+            min: min[axis],
+            max: max[axis],
+            side: u * v,
+            rim: u + v,
+        }
+    }
+
+    /// The cost of the plane at d, with so many items behind it and in front. Source: MacDonald and Booth 1990.
+    #[inline]
+    pub fn of(&self, d: f64, behind: usize, front: usize) -> f64 {
+        let area = |width: f64| self.side + self.rim * width;
+        let tests = area(d - self.min) * behind as f64 + area(self.max - d) * front as f64;
         let bonus = if behind == 0 || front == 0 {
             EMPTY_BONUS
         } else {
             1.0
         };
-        bonus * (STEP + TEST * tests / whole)
-    };
+        bonus * (STEP + TEST * tests / area(self.max - self.min))
+    }
+}
+
+/// The best plane across an axis, of all where something begins or ends.
+pub fn sweep(events: &[Event], axis: usize, count: usize, cell: &Bounds) -> Option<Best> {
+    let costs = Costs::new(axis, cell);
     let mut best: Option<Best> = None;
     let (mut behind, mut front, mut next) = (0, count, 0);
     while next < events.len() {
@@ -104,7 +127,7 @@ pub fn sweep(events: &[Event], axis: usize, count: usize, cell: &Bounds) -> Opti
         if cell[0][axis] < d && d < cell[1][axis] {
             for flat_to_front in [false, true] {
                 let (f, b) = if flat_to_front { (flat, 0) } else { (0, flat) };
-                let cost = cost(f64::from(d), behind + b, front + f);
+                let cost = costs.of(f64::from(d), behind + b, front + f);
                 if best.as_ref().is_none_or(|best| cost < best.cost) {
                     let cut = behind + front + flat - count;
                     best = Some(Best {

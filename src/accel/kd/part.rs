@@ -30,7 +30,7 @@ impl Clip<'_> {
     }
 
     /// The bounds of the part of a primitive inside a box; the box itself if the primitive is no triangle.
-    fn inside(&self, primitive: u32, [min, max]: &Bounds) -> Bounds {
+    pub fn inside(&self, primitive: u32, [min, max]: &Bounds) -> Bounds {
         let Shape::Triangle(triangle) = &self.shapes[primitive as usize] else {
             return [*min, *max];
         };

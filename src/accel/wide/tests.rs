@@ -11,7 +11,7 @@ fn every_instruction_set_answers_as_the_list_does() {
     let shapes = shapes(&mut random);
     let rays = rays(&shapes, &mut random);
     let list = List::build(&shapes);
-    let mut wide = Wide::build(&shapes);
+    let mut wide = Wide::build(&shapes, &|_| ());
     for isa in Isa::all() {
         wide.isa = isa;
         for (ray, interval) in &rays {
