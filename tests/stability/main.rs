@@ -16,6 +16,7 @@ mod media;
 mod meshes;
 mod optics;
 mod oracle;
+mod plates;
 mod shadows;
 mod spheres;
 mod support;

@@ -1,5 +1,6 @@
 //! Exact answers, in rational numbers: every `f64` is one, so nothing is rounded and nothing is guessed.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
 
 use num_rational::BigRational;
@@ -141,6 +142,18 @@ pub fn line_in_triangle(ray: &Ray, corners: [DVec3; 3]) -> Side {
     }
 }
 
+/// On which side of a triangle's plane a point is: `Greater` is the one from which the corners run counter-clockwise.
+pub fn side_of_plane(point: DVec3, corners: [DVec3; 3]) -> Ordering {
+    let [a, b, c] = corners.map(vector);
+    let normal = cross(&minus(&b, &a), &minus(&c, &a));
+    let height = dot(&normal, &minus(&vector(point), &a));
+    match (height.is_positive(), height.is_negative()) {
+        (true, _) => Ordering::Greater,
+        (_, true) => Ordering::Less,
+        _ => Ordering::Equal,
+    }
+}
+
 #[test]
 fn the_oracle_knows_its_paper() {
     use num_rational::BigRational as R;
@@ -157,6 +170,9 @@ fn the_oracle_knows_its_paper() {
     assert_eq!(line_in_triangle(&at(0.5, 0.5), corners), Side::Border);
     let above = 0.5_f64.next_up();
     assert_eq!(line_in_triangle(&at(0.5, above), corners), Side::Outside);
+    let side = |z: f64| side_of_plane(DVec3::new(3.0, 4.0, z), corners);
+    let sides = [5e-324, 0.0, -5e-324].map(side);
+    assert_eq!(sides, [Ordering::Greater, Ordering::Equal, Ordering::Less]);
     assert_eq!(exact(0.75).0, R::new(3.into(), 4.into()));
     // Not in lowest terms, and yet the same numbers.
     let (a, b) = (exact(0.75), exact(2.5));
