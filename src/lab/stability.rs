@@ -6,6 +6,7 @@
 mod expansion;
 mod meshes;
 mod optics;
+mod polygons;
 mod spheres;
 
 use crate::geometry::{Arithmetic, Naive, Shape};
@@ -48,11 +49,13 @@ impl Outcome {
 }
 
 /// All cases.
-pub const CASES: [Case; 7] = [
+pub const CASES: [Case; 9] = [
     meshes::SELF_HITS,
     meshes::PLATE_GAP,
     meshes::SHARED_EDGES,
     meshes::SHARED_CORNERS,
+    polygons::T_JUNCTIONS,
+    polygons::COPLANAR_TWINS,
     spheres::FAR_SPHERE,
     spheres::NEAR_SPHERE,
     optics::CRITICAL_ANGLE,
