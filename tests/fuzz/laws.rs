@@ -163,11 +163,8 @@ impl Case {
         ];
         let own = words.iter().find(|word| {
             // It may quote what the file says.
-            let quoted = self
-                .files
-                .values()
-                .any(|file| count(file, word.as_bytes()) > 0);
-            said.contains(*word) && !quoted
+            let mut files = self.files.values();
+            said.contains(*word) && !files.any(|file| count(file, word.as_bytes()) > 0)
         });
         if let Some(word) = own {
             return odd(&format!("`{word}` is a programmer's word"));
@@ -306,5 +303,7 @@ fn written(view: View, chance: usize) -> Result<(), Broken> {
 
 /// How often `piece` stands in `bytes`.
 pub fn count(bytes: &[u8], piece: &[u8]) -> usize {
-    bytes.windows(piece.len()).filter(|w| *w == piece).count()
+    let windows = bytes.windows(piece.len());
+    // The first byte alone tells nearly all of them apart, and quicker than the whole.
+    windows.filter(|w| w[0] == piece[0] && *w == piece).count()
 }
