@@ -97,6 +97,27 @@ fn a_sphere_lights_as_its_cone_and_cosine() {
     );
 }
 
+/// Hard case 56: of a sphere that fills a cone of 1e-6 radians, near or far, every single sample brings E = pi (r / d)^2 to
+/// a millionth.
+#[test]
+fn a_sphere_of_a_millionth_of_a_radian_lights_as_the_formula_says() {
+    for (radius, height) in [(5e-10, 1e-3), (5e-7, 1.0), (1.0, 2e6), (5e3, 1e10)] {
+        let sphere = format!(
+            r#"{{"sphere": {{"name": "lamp", "material": "lamp", "center": [0, {height}, 0], "radius": {radius}}}}}"#
+        );
+        let world = floor([0.0, 0.0], LAMP, &sphere);
+        let truth = PI * (radius / height) * (radius / height);
+        for seed in 0..20 {
+            for sampler in [Sampler::Random, Sampler::Sobol, Sampler::Grid] {
+                let how = (sampler, LightSampling::Area);
+                let found = irradiance(&world, &settings(how, 1, seed));
+                let off = (found / truth - 1.0).abs();
+                assert!(off < 1e-6, "{radius}, {height}, {sampler:?}: {off:e}");
+            }
+        }
+    }
+}
+
 #[test]
 fn inside_a_shining_sphere_a_white_floor_is_as_bright_as_the_sphere() {
     let furnace =
