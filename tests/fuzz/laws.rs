@@ -70,7 +70,7 @@ pub fn catch_panics() {
 }
 
 /// Does the work; its panic, if it has one, is a broken law.
-fn without_panic<T>(work: impl FnOnce() -> Result<T, Broken>) -> Result<T, Broken> {
+pub fn without_panic<T>(work: impl FnOnce() -> Result<T, Broken>) -> Result<T, Broken> {
     CAUGHT.with(|caught| *caught.borrow_mut() = Some(String::new()));
     let done = catch_unwind(AssertUnwindSafe(work));
     let how = CAUGHT.with(|caught| caught.borrow_mut().take());

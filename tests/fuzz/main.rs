@@ -14,6 +14,7 @@ mod large;
 mod laws;
 mod memory;
 mod models;
+mod pictures;
 mod search;
 mod words;
 

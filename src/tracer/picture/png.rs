@@ -27,6 +27,15 @@ pub fn decode(bytes: &[u8], exposure: f64) -> Result<Film, String> {
     if let Some(problem) = size_problem(width, height) {
         return Err(problem);
     }
+    // A byte of the file makes 1032 at most when it is unpacked (Gailly and Adler, zlib technical details): so many pixels are
+    // not in it, and no room need be made for them.
+    let bits = u64::from(decoder.original_color_type().bits_per_pixel());
+    let unpacked = u64::from(width) * u64::from(height) * bits / 8;
+    if unpacked > 1032 * bytes.len() as u64 {
+        return Err(format!(
+            "ends before the last of its {width}x{height} pixels"
+        ));
+    }
     if exposure <= 0.0 {
         return Err("tells nothing: with an exposure of 0 every picture is black".to_owned());
     }
