@@ -349,3 +349,46 @@ fn a_light_does_not_stand_in_its_own_way_at_any_scale() {
         }
     }
 }
+
+#[test]
+fn a_light_does_not_stand_in_its_own_way_above_a_large_floor() {
+    // A ray sets out as far off the floor as the errors of the floor's corners are large.
+    for edge in [5.0, 1e3, 1e7] {
+        let text = format!(
+            r#"{{"format": "raytree-scene/1", "name": "t",
+            "camera": {{"eye": [0, 0.5, 0.5], "look_at": [0, 0, 0]}},
+            "materials": {{"lamp": {{"diffuse": [0, 0, 0], "emission": [1, 1, 1]}}, "white": {{"diffuse": [1, 1, 1]}}}},
+            "lights": [{LAMP}],
+            "objects": [
+              {{"quad": {{"name": "lamp", "material": "lamp", "corner": [-1, 2, -1], "u": [2, 0, 0], "v": [0, 0, 2]}}}},
+              {{"quad": {{"name": "floor", "material": "white", "corner": [-{edge}, 0, {edge}], "u": [{}, 0, 0], "v": [0, 0, -{}]}}}}
+            ]}}"#,
+            2.0 * edge,
+            2.0 * edge
+        );
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("t.json");
+        std::fs::write(&path, text).expect("room on the disk");
+        let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
+        let world = World::new(scene, AccelKind::List);
+        let settings = Settings {
+            width: 8,
+            height: 6,
+            light_samples: 64,
+            ..Settings::default()
+        };
+        for at in (0..48).map(|i| (i % 8, i / 8)) {
+            let trace = trace_pixel(&world, &settings, at, false);
+            let view = View {
+                world: &world,
+                settings: &settings,
+                trace: &trace,
+            };
+            let bundles = view.bundles(0);
+            assert!(
+                !bundles.is_empty() && bundles.iter().all(|b| b.blocked == 0),
+                "{edge}, {at:?}"
+            );
+        }
+    }
+}

@@ -148,12 +148,14 @@ impl FromStr for Offset {
 
 impl Arithmetic {
     /// How much sooner than at a light, `distance` metres from `point` and met at an angle of this cosine, a ray to it ends
-    /// that starts near there, so that the light does not stand in its own way. Ours needs nothing: where it ends is
-    /// bounded already.
+    /// that starts near there, so that the light does not stand in its own way. With ours the end of the ray is clear of the
+    /// light by the errors there; it is the start that may be moved by more, off a surface that is larger than all else.
     pub fn short_of_light(&self, point: DVec3, ray: &Ray, (distance, cos): (f64, f64)) -> f64 {
+        let moved = (ray.origin - point).length();
         let by_offset = match self.offset {
-            Offset::Fixed(_) => (ray.origin - point).length() / cos.max(0.01),
-            Offset::None | Offset::Bounded => 0.0,
+            Offset::Fixed(_) => moved / cos.max(0.01),
+            Offset::Bounded => moved / cos.max(1e-6),
+            Offset::None => 0.0,
         };
         let by_rounding = match self.precision {
             Precision::Single if distance.is_finite() => {
