@@ -12,6 +12,7 @@ pub mod ray;
 pub mod rgb;
 pub mod rounding;
 pub mod sampler;
+pub mod sobol;
 pub mod transform;
 
 pub use filter::Filter;

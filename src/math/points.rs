@@ -10,6 +10,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::sampler::{mix, unit};
+use super::sobol;
 
 /// How points are chosen.
 #[derive(
@@ -51,9 +52,6 @@ pub struct Run {
     pub count: u32,
 }
 
-/// Points of Sobol's sequence before it is scrambled anew: the crate's tables end there.
-const SOBOL_POINTS: u32 = 1 << 16;
-
 impl LightSampling {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Area, Self::Projected];
@@ -94,11 +92,8 @@ impl Sampler {
             // The cells come in an order of chance, so that any part of the run is spread over the whole square.
             Self::Stratified => in_cell(shuffled(index, count, key), count, chance()),
             Self::Sobol => {
-                let scramble = mix(key ^ u64::from(index / SOBOL_POINTS)) as u32;
-                let index = index % SOBOL_POINTS;
-                // Four axes at once are quicker than two one after the other.
-                let [x, y, ..] = sobol_burley::sample_4d(index, 0, scramble);
-                [f64::from(x), f64::from(y)]
+                let scramble = mix(key ^ u64::from(index / sobol::POINTS)) as u32;
+                sobol::point(index % sobol::POINTS, scramble)
             }
         }
     }

@@ -1,0 +1,58 @@
+//! The first two axes of Sobol's sequence, scrambled as by Owen.
+//!
+//! The points are those of the crate `sobol_burley` (Burley 2020, "Practical hash-based Owen scrambling"), bit for bit.
+//! It reads the axes from tables, one entry for each bit of a point's number, since it has 256 of them. The first two
+//! need no tables: Sobol's matrix is the identity for one, and Pascal's triangle modulo 2 for the other.
+
+use sobol_burley::parts::{hash, owen_scramble_rev, u32_to_f32_norm};
+
+/// How many points there are before they would come again.
+pub const POINTS: u32 = 1 << 16;
+
+/// What sets the order of the points apart from their places, and one axis from the other.
+const ORDER: u32 = 0x79c6_8e4a;
+const AXES: [u32; 2] = [0x912f_69ba, 0x174f_18ab];
+const SPREAD: u32 = 0x9c8f_2d3b;
+
+/// Point number `index`, below [`POINTS`], of the sequence that is scrambled by `seed`, in [0, 1)^2.
+///
+/// A scramble flips each digit by what the digits before it are. Here the first digit stands lowest, so that adding and
+/// multiplying carry from digits to those after them, and to no others.
+pub fn point(index: u32, seed: u32) -> [f64; 2] {
+    let shuffled = owen_scramble_rev(index.reverse_bits(), hash(seed ^ ORDER)).reverse_bits();
+    let number = shuffled % POINTS;
+    let axes = [number, pascal(number)];
+    let at = |axis: usize| {
+        let flips = hash(seed.wrapping_mul(SPREAD) ^ AXES[axis]);
+        let digits = owen_scramble_rev(axes[axis], flips);
+        f64::from(u32_to_f32_norm(digits.reverse_bits()))
+    };
+    [at(0), at(1)]
+}
+
+/// Pascal's triangle modulo 2 times the lower 16 bits of `x`.
+///
+/// As a polynomial over the bits, x becomes that of x + 1: and since (x + 1)^(2^k) is x^(2^k) + 1, one step for each k.
+fn pascal(mut x: u32) -> u32 {
+    x ^= (x & 0xaaaa) >> 1;
+    x ^= (x & 0xcccc) >> 2;
+    x ^= (x & 0xf0f0) >> 4;
+    x ^ ((x & 0xff00) >> 8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::sampler::mix;
+
+    #[test]
+    fn the_points_are_those_of_the_tables() {
+        for i in 0..20_000 {
+            let chance = mix(i);
+            let (index, seed) = ((chance as u32) >> (chance >> 60), (chance >> 32) as u32);
+            let index = index % POINTS;
+            let [x, y, ..] = sobol_burley::sample_4d(index, 0, seed);
+            assert_eq!(point(index, seed), [x, y].map(f64::from), "{index} {seed}");
+        }
+    }
+}
