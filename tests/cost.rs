@@ -362,6 +362,10 @@ fn a_strip_has_each_way_and_the_reference_side_by_side() {
     let knob = ["--knob", "light-samples", "--strip", path];
     let out = cost(&[&args[..], &knob[..]].concat());
     let text = String::from_utf8(out.stdout).expect("UTF-8");
+    assert!(
+        text.contains(&format!(" --strip {path}")),
+        "the line to do it again: {text}"
+    );
     let (_, told) = text.split_once("crops in").expect("what the crops are");
     let names: Vec<&str> = told
         .lines()

@@ -286,6 +286,10 @@ impl Cost {
         if let Some(path) = &self.reference {
             line.extend([" --reference ", &quoted(&path.display().to_string())]);
         }
+        if let Some(path) = &self.strip {
+            // It takes its share of the budget.
+            line.extend([" --strip ", &quoted(&path.display().to_string())]);
+        }
         let threads = self.scene.settings.threads;
         if threads != 0 {
             // Writing to a string cannot fail.

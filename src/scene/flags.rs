@@ -14,6 +14,7 @@ pub fn flags(now: &Settings, scene: &Scene) -> Vec<(&'static str, String)> {
             ("filter-radius", s.filter_radius.to_string()),
             ("light-samples", s.light_samples.to_string()),
             ("sampler", s.sampler.name().to_owned()),
+            ("light-sampling", s.light_sampling.name().to_owned()),
             ("depth", s.depth.to_string()),
             ("min-weight", s.min_weight.to_string()),
             ("fresnel", word(&s.fresnel)),
