@@ -9,9 +9,11 @@ pub mod foresight;
 pub mod lights;
 pub mod picture;
 pub mod pixel;
+pub mod sampled;
 pub mod samples;
 pub mod spread;
 pub mod stack;
+pub mod tile;
 pub mod whitted;
 
 pub use film::{Film, Flow, Spoiled, render};

@@ -4,9 +4,9 @@
 //! scene; an accelerator that follows them together is several times as fast. The tracer stays the one recursive
 //! function that it is: it asks a foreseen question like any other, and the answer is the same to the last bit.
 
-use super::film::Tile;
 use super::lights::{Question, Surface, question, samples, seen};
 use super::samples::{Place, place};
+use super::tile::Tile;
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
 use crate::probe::Absence;
