@@ -72,6 +72,7 @@ fn what_goes_wrong_is_told_in_one_message() {
             "--adaptive 0.1 --samples 8 --max-samples 15 --pilot apart",
             "16",
         ),
+        ("--adaptive 0.1 --samples 1 --pilot around", "at least 2"),
         ("--max-samples 16", "--adaptive"),
         ("--sample-map x.png", "--adaptive"),
         ("--until-error 0", "above 0"),
@@ -126,33 +127,33 @@ fn adaptive_pictures_can_be_had_again_pixel_by_pixel() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = |name: &str| folder.path().join(name).display().to_string();
     let (file, errors, map) = (name("a.pfm"), name("errors.pfm"), name("map.png"));
-    let flags =
-        "soft-shadow --size 8x6 --light-samples 2 --adaptive 0.01 --pilot apart --filter mitchell";
-    let ran = run(&format!(
-        "render {flags} -o {file} --sample-map {map} --error-map {errors}"
-    ));
-    assert_eq!(ran.code, 0, "{}", ran.err);
-    let map = image::open(map).expect("a picture").to_luma8();
-    assert_eq!(map.dimensions(), (8, 6));
-    assert!(map.pixels().any(|p| p.0[0] == 0) && map.pixels().any(|p| p.0[0] == 255));
-    for (x, y) in [(0, 0), (3, 4), (5, 3)] {
-        let pixel = traced(&format!("trace {flags} --pixel {x},{y}"));
-        let samples = pixel["samples"].as_array().expect("a list");
-        let weights = samples
-            .iter()
-            .map(|s| s["weight"].as_f64().expect("a number"));
-        assert_eq!(
-            weights.clone().filter(|w| *w == 0.0).count(),
-            4,
-            "the pilot"
+    for (pilot, first) in [("apart", 4), ("around", 0)] {
+        let flags = format!(
+            "soft-shadow --size 8x6 --light-samples 2 --adaptive 0.01 --pilot {pilot} --filter mitchell"
         );
-        assert!((weights.sum::<f64>() - 1.0).abs() < 1e-12);
-        assert_eq!(pixel["settings"]["adaptive"]["pilot"], "apart");
-        let error = pixel["standard_error"].as_f64().expect("a number") as f32;
-        assert_eq!(in_pfm(&errors, x, y), [error; 3]);
-        let linear =
-            [0, 1, 2].map(|i| pixel["color"]["linear"][i].as_f64().expect("a number") as f32);
-        assert_eq!(linear, in_pfm(&file, x, y));
+        let ran = run(&format!(
+            "render {flags} -o {file} --sample-map {map} --error-map {errors}"
+        ));
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let map = image::open(&map).expect("a picture").to_luma8();
+        assert_eq!(map.dimensions(), (8, 6));
+        assert!(map.pixels().any(|p| p.0[0] == 0) && map.pixels().any(|p| p.0[0] == 255));
+        for (x, y) in [(0, 0), (3, 4), (5, 3)] {
+            let pixel = traced(&format!("trace {flags} --pixel {x},{y}"));
+            let samples = pixel["samples"].as_array().expect("a list");
+            let weights = samples
+                .iter()
+                .map(|s| s["weight"].as_f64().expect("a number"));
+            let unweighted = weights.clone().filter(|w| *w == 0.0).count();
+            assert_eq!(unweighted, first, "those that only decide");
+            assert!((weights.sum::<f64>() - 1.0).abs() < 1e-12);
+            assert_eq!(pixel["settings"]["adaptive"]["pilot"], *pilot);
+            let error = pixel["standard_error"].as_f64().expect("a number") as f32;
+            assert_eq!(in_pfm(&errors, x, y), [error; 3]);
+            let linear =
+                [0, 1, 2].map(|i| pixel["color"]["linear"][i].as_f64().expect("a number") as f32);
+            assert_eq!(linear, in_pfm(&file, x, y));
+        }
     }
 }
 

@@ -80,7 +80,8 @@ pub fn knobs(world: &World, base: &Settings, effort: Effort) -> Vec<Knob> {
     let mut knobs: Vec<Knob> = Sampling::ALL
         .map(|sampling| pixel_samples(base, sampling, effort))
         .into();
-    knobs.push(thresholds(base, effort));
+    knobs.push(thresholds(base, Pilot::Kept, effort));
+    knobs.push(thresholds(base, Pilot::Around, effort));
     if uses(Effect::Shadows) && uses(Effect::SoftShadows) {
         let by_area = LightSampling::Area;
         knobs.extend(Sampler::ALL.map(|sampler| light_samples(base, (sampler, by_area), effort)));
@@ -125,18 +126,22 @@ fn pixel_samples(base: &Settings, sampling: Sampling, effort: Effort) -> Knob {
 }
 
 /// Samples where they are needed, by how small a pixel's standard error is to be: another way to the same picture.
-fn thresholds(base: &Settings, effort: Effort) -> Knob {
+fn thresholds(base: &Settings, pilot: Pilot, effort: Effort) -> Knob {
     let with = |threshold| Settings {
         adaptive: Some(Adaptive {
             threshold,
             most: effort.most.max(4 * FIRST),
-            pilot: Pilot::Kept,
+            pilot,
         }),
         ..sampled(base, FIRST, Sampling::Sobol)
     };
-    let thresholds = [0.1, 0.03, 0.01, 0.003];
+    // What is an error with one is a part of a standard deviation with the other.
+    let (way, thresholds) = match pilot {
+        Pilot::Around => ("around", [0.03, 0.01, 0.003, 0.001]),
+        _ => ("adaptive", [0.1, 0.03, 0.01, 0.003]),
+    };
     Knob {
-        way: Some("adaptive"),
+        way: Some(way),
         reference: Some(best_sampled(base, effort)),
         ..plain(PIXEL_SAMPLES, thresholds, f64::to_string, with)
     }

@@ -49,7 +49,8 @@ impl Sampling {
 /// More samples where they are needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive {
-    /// A pixel has enough samples when its estimated standard error is not above this, in luminance.
+    /// A pixel has enough samples when its estimated standard error is not above this, in luminance; with
+    /// [`Pilot::Around`] it has as many samples as their standard deviation is times this.
     pub threshold: f64,
     /// The most samples of a pixel.
     pub most: u32,
@@ -71,17 +72,20 @@ pub enum Pilot {
     Kept,
     /// They decide once and do not count: no bias.
     Apart,
+    /// They count, and decide once how many the pixels around have: no bias, since a pixel's own have no say.
+    Around,
 }
 
 impl Pilot {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Kept, Self::Apart];
+    pub const ALL: [Self; 3] = [Self::Kept, Self::Apart, Self::Around];
 
     /// The name that users write.
     pub fn name(self) -> &'static str {
         match self {
             Self::Kept => "kept",
             Self::Apart => "apart",
+            Self::Around => "around",
         }
     }
 }

@@ -115,6 +115,11 @@ impl Settings {
         }
     }
 
+    /// Whether the pixels around a pixel decide how many samples it has.
+    pub fn asks_around(&self) -> bool {
+        self.adaptive.is_some_and(|a| a.pilot == Pilot::Around)
+    }
+
     /// Shadow rays to an area light, a hit: one to its middle if soft shadows are left out.
     pub fn rays_to_area(&self) -> u32 {
         if self.effects.has(Effect::SoftShadows) {

@@ -1,5 +1,6 @@
 //! One pixel: its samples, and their weighted sum.
 
+use super::around;
 use super::sampled::Sampled;
 use super::whitted::Tracer;
 use crate::math::Rgb;
@@ -64,19 +65,39 @@ pub fn pixel<P: Probe>(world: &World, settings: &Settings, at: (u32, u32), probe
 /// is told the truth from the first on: the pixel is traced silently before.
 #[inline]
 pub fn sampled<P: Probe>(tracer: &mut Tracer<P>, at: (u32, u32)) -> Pixel {
-    let (settings, budget) = (tracer.settings, tracer.budget);
-    if P::LISTENS && settings.adaptive.is_some() {
+    let settings = tracer.settings;
+    let mut sampled = alone(tracer, at);
+    if P::LISTENS && sampled.decides() {
         let mut silent = Silent;
         let mut ahead = Tracer::new(tracer.world, settings, &mut silent);
-        let found = follow(&mut ahead, Sampled::new(settings, budget, at));
-        let known = Sampled::with(settings, budget, at, Some(found.samples));
-        let told = follow(tracer, known);
+        let found = follow(&mut ahead, &mut sampled);
+        let told = of_count(tracer, at, found.samples);
         return Pixel {
             error: found.error,
             ..told
         };
     }
-    follow(tracer, Sampled::new(settings, budget, at))
+    follow(tracer, &mut sampled)
+}
+
+/// The same of a pixel whose number of samples is known.
+pub fn of_count<P: Probe>(tracer: &mut Tracer<P>, at: (u32, u32), count: u32) -> Pixel {
+    let (settings, budget) = (tracer.settings, tracer.budget);
+    follow(
+        tracer,
+        &mut Sampled::with(settings, budget, at, Some(count)),
+    )
+}
+
+/// A pixel without samples that is traced alone: if those around it decide how many it is to have, they are asked.
+#[inline]
+fn alone<P>(tracer: &Tracer<P>, at: (u32, u32)) -> Sampled {
+    let (world, settings, budget) = (tracer.world, tracer.settings, tracer.budget);
+    if settings.asks_around() {
+        let count = around::of_one(world, settings, at);
+        return Sampled::with(settings, budget, at, Some(count));
+    }
+    Sampled::new(settings, budget, at)
 }
 
 /// The same in silence, given up between two samples as soon as `stopped` says so.
@@ -88,7 +109,7 @@ pub fn pixel_unless(
 ) -> Option<Pixel> {
     let mut silent = Silent;
     let mut tracer = Tracer::new(world, settings, &mut silent);
-    let mut sampled = Sampled::new(settings, tracer.budget, at);
+    let mut sampled = alone(&tracer, at);
     while sampled.is_open(settings) {
         if stopped() {
             return None;
@@ -98,11 +119,8 @@ pub fn pixel_unless(
     Some(*sampled.finish(settings))
 }
 
-/// Takes sample after sample.
-fn follow<P: Probe>(tracer: &mut Tracer<P>, mut sampled: Sampled) -> Pixel {
-    let settings = tracer.settings;
-    while sampled.is_open(settings) {
-        sampled.next(tracer);
-    }
-    *sampled.finish(settings)
+/// Takes sample after sample, to the last.
+fn follow<P: Probe>(tracer: &mut Tracer<P>, sampled: &mut Sampled) -> Pixel {
+    sampled.follow(tracer);
+    *sampled.finish(tracer.settings)
 }

@@ -34,7 +34,7 @@ impl Sampled {
     /// The same, where the number of samples may be known before.
     #[inline]
     pub fn with(settings: &Settings, budget: Budget, at: (u32, u32), known: Option<u32>) -> Self {
-        let wanted = known.is_none() || settings.errors;
+        let decides = known.is_none() && !settings.asks_around();
         let afforded = budget.samples;
         Self {
             at,
@@ -45,8 +45,23 @@ impl Sampled {
             target: known.unwrap_or(settings.samples.min(afforded)),
             weights: known.map(|count| Weights::new(settings, at, count)),
             kept: known.is_none().then(Vec::new),
-            spread: wanted.then(|| Box::new(new_spread(settings))),
+            spread: (decides || settings.errors).then(|| Box::new(new_spread(settings))),
         }
+    }
+
+    /// Samples that it has so far.
+    pub fn samples(&self) -> u32 {
+        self.pixel.samples
+    }
+
+    /// True if its own samples decide how many there are.
+    pub fn decides(&self) -> bool {
+        self.weights.is_none()
+    }
+
+    /// Samples that it is to have, as far as is known.
+    pub fn target(&self) -> u32 {
+        self.target
     }
 
     /// The pixel's place in the picture.
@@ -130,6 +145,33 @@ impl Sampled {
         self.add(tracer, (&place, ray), None);
     }
 
+    /// How much its first samples differ: the estimated variance of their mean.
+    pub fn noise(&self, settings: &Settings) -> f64 {
+        let mut spread = Spread::new(settings.samples.div_ceil(2));
+        for (radiance, _) in self.kept.iter().flatten() {
+            spread.add(radiance.luminance(), 1.0);
+        }
+        spread.standard_error().powi(2)
+    }
+
+    /// It is decided that it has `count` samples in all: now weights are known, also of those that it has.
+    pub fn settle(&mut self, settings: &Settings, count: u32) {
+        let weights = Weights::new(settings, self.at, count);
+        for (index, (radiance, sign)) in (0..).zip(self.kept.take().into_iter().flatten()) {
+            self.pixel.color += radiance * weights.of(index, sign);
+        }
+        self.weights = Some(weights);
+        self.target = count;
+    }
+
+    /// Takes sample after sample, as many as it needs.
+    #[inline]
+    pub fn follow<P: Probe>(&mut self, tracer: &mut Tracer<P>) {
+        while self.is_open(tracer.settings) {
+            self.next(tracer);
+        }
+    }
+
     fn standard_error(&self) -> f64 {
         let spread = self.spread.as_ref();
         spread.map_or(f64::INFINITY, |spread| spread.standard_error())
@@ -138,11 +180,8 @@ impl Sampled {
     /// The pixel with all its samples.
     pub fn finish(&mut self, settings: &Settings) -> &Pixel {
         self.pixel.error = self.standard_error();
-        if let Some(kept) = &self.kept {
-            let weights = Weights::new(settings, self.at, self.pixel.samples);
-            for (index, (radiance, sign)) in (0..).zip(kept) {
-                self.pixel.color += *radiance * weights.of(index, *sign);
-            }
+        if self.kept.is_some() {
+            self.settle(settings, self.pixel.samples);
         }
         &self.pixel
     }

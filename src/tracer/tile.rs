@@ -1,11 +1,12 @@
 //! A tile of the picture: pixels that are rendered together.
 
+use super::around;
 use super::film::Film;
 use super::foresight::{Foresight, in_blocks};
-use super::pixel::sampled;
+use super::pixel::{of_count, sampled};
 use super::sampled::Sampled;
 use super::whitted::Tracer;
-use crate::probe::Probe;
+use crate::probe::{Probe, Silent};
 use crate::scene::{Settings, World};
 
 /// The edge of a tile in pixels: rays that are neighbours in the picture are neighbours in the scene.
@@ -43,18 +44,28 @@ impl Tile {
         }
     }
 
-    /// The tile's pixels, row after row: asked for in bundles if that is quicker and nobody listens, else one
-    /// by one.
+    /// The tile's pixels: one after the other if somebody listens, else all together.
     pub fn render<P: Probe + Default>(self, world: &World, settings: &Settings) -> Done<P> {
         let mut probe = P::default();
         let mut film = Film::black(self.size(), settings);
         let mut tracer = Tracer::new(world, settings, &mut probe);
-        if P::LISTENS || !world.accel.gains_from_bundles() {
-            for (index, at) in self.pixels().enumerate() {
-                film.put(index, at, &sampled(&mut tracer, at));
+        if P::LISTENS && settings.asks_around() {
+            let mut silent = Silent;
+            let decided = self.begin(&mut Tracer::new(world, settings, &mut silent));
+            for (at, count) in decided.iter().map(|p| (p.at(), p.target())) {
+                film.put(self.index(at), at, &of_count(&mut tracer, at, count));
+            }
+        } else if P::LISTENS {
+            for at in self.pixels() {
+                film.put(self.index(at), at, &sampled(&mut tracer, at));
             }
         } else {
-            self.render_in_bundles(&mut tracer, &mut film);
+            let mut pixels = self.begin(&mut tracer);
+            take(&mut tracer, &mut pixels);
+            for sampled in &mut pixels {
+                let at = sampled.at();
+                film.put(self.index(at), at, sampled.finish(settings));
+            }
         }
         Done {
             tile: self,
@@ -63,32 +74,23 @@ impl Tile {
         }
     }
 
-    /// The same with what the pixels ask answered together, sample after sample.
-    fn render_in_bundles<P: Probe>(self, tracer: &mut Tracer<P>, film: &mut Film) {
-        let (world, settings, budget) = (tracer.world, tracer.settings, tracer.budget);
-        let mut pixels: Vec<_> = in_blocks(self)
-            .into_iter()
+    /// The tile's pixels without samples; where they decide for one another, with those that decide, and decided.
+    fn begin<P: Probe>(self, tracer: &mut Tracer<P>) -> Vec<Sampled> {
+        let (settings, budget) = (tracer.settings, tracer.budget);
+        let pixels = in_blocks(self).into_iter();
+        let mut pixels: Vec<_> = pixels
             .map(|at| Sampled::new(settings, budget, at))
             .collect();
-        let mut foresight = Foresight::default();
-        for sample in 0.. {
-            let open = pixels.iter_mut();
-            let places = open.filter_map(|p| p.is_open(settings).then(|| p.at()));
-            if !foresight.ask(world, settings, places, sample) {
-                break;
-            }
-            let open = pixels.iter_mut();
-            let open = open.filter_map(|p| p.is_open(settings).then_some(p));
-            for (sampled, (place, ray, foreseen)) in open.zip(foresight.samples()) {
-                sampled.add(tracer, (place, ray), Some(foreseen));
-            }
+        if settings.asks_around() {
+            take(tracer, &mut pixels);
+            around::decide(settings, &mut pixels);
         }
-        let (columns, _) = self.size();
-        for sampled in &mut pixels {
-            let (x, y) = sampled.at();
-            let index = (y - self.y[0]) * columns + (x - self.x[0]);
-            film.put(index as usize, (x, y), sampled.finish(settings));
-        }
+        pixels
+    }
+
+    /// The place of a pixel among the tile's, row after row.
+    fn index(self, (x, y): (u32, u32)) -> usize {
+        ((y - self.y[0]) * self.size().0 + (x - self.x[0])) as usize
     }
 
     /// How many columns and rows it has.
@@ -100,6 +102,28 @@ impl Tile {
     fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
         let [first, end] = self.x;
         (self.y[0]..self.y[1]).flat_map(move |y| (first..end).map(move |x| (x, y)))
+    }
+}
+
+/// Takes the samples that some pixels need, which have equally many so far: what they ask is answered together, sample
+/// after sample, if that is quicker.
+fn take<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [Sampled]) {
+    let (world, settings) = (tracer.world, tracer.settings);
+    if !world.accel.gains_from_bundles() {
+        return pixels.iter_mut().for_each(|pixel| pixel.follow(tracer));
+    }
+    let mut foresight = Foresight::default();
+    for sample in pixels.first().map_or(0, Sampled::samples).. {
+        let open = pixels.iter_mut();
+        let places = open.filter_map(|p| p.is_open(settings).then(|| p.at()));
+        if !foresight.ask(world, settings, places, sample) {
+            break;
+        }
+        let open = pixels.iter_mut();
+        let open = open.filter_map(|p| p.is_open(settings).then_some(p));
+        for (sampled, (place, ray, foreseen)) in open.zip(foresight.samples()) {
+            sampled.add(tracer, (place, ray), Some(foreseen));
+        }
     }
 }
 

@@ -34,14 +34,14 @@ pub struct SampleArgs {
     #[arg(long, value_name = "R", value_parser = parse_radius)]
     filter_radius: Option<f64>,
     /// More samples where they are needed: until a pixel's estimated standard error (of linear luminance) is at most
-    /// this
+    /// this; with --pilot around as many as the standard deviation of a sample is times this
     #[arg(long, value_name = "THRESHOLD", value_parser = parse_positive)]
     pub adaptive: Option<f64>,
     /// The most samples of a pixel [default: 256]
     #[arg(long, value_name = "N", value_parser = count(), requires = "adaptive")]
     max_samples: Option<u32>,
-    /// What becomes of the samples that decide how many there are: kept (a small bias) or apart (they do not count:
-    /// no bias)
+    /// What becomes of the samples that decide how many there are: kept (a small bias), apart (they do not count: no
+    /// bias) or around (they decide for the pixels around, and count: no bias, and little is missed)
     #[arg(long, value_name = "WHAT", value_parser = named(Pilot::ALL, Pilot::name), requires = "adaptive")]
     pilot: Option<Pilot>,
 }
@@ -103,9 +103,14 @@ jittered or sobol"
     }
     let (first, most) = (settings.samples, adaptive.most);
     let least = match adaptive.pilot {
-        Pilot::Kept => first,
+        Pilot::Kept | Pilot::Around => first,
         Pilot::Apart => first.saturating_mul(2),
     };
+    if settings.asks_around() && first < 2 {
+        return Err(Failure::Usage(format!(
+            "--samples {first}: with --pilot around the first samples decide by how much they differ; take at least 2"
+        )));
+    }
     if most < least {
         return Err(Failure::Usage(format!(
             "--max-samples {most} is too few: the first {first} samples (see --samples) with pilot {} take {least}",

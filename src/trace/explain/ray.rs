@@ -14,6 +14,8 @@ pub fn sample(view: View, index: u32, [x, y]: [f64; 2], weight: f64) -> Explanat
     let tan = camera.half_height;
     let pilot = if index < view.settings.pilot() {
         " It only decides how many other samples there are, and does not count."
+    } else if view.settings.asks_around() {
+        " How many samples there are was decided by the first ones of the pixels around."
     } else {
         ""
     };

@@ -45,10 +45,12 @@ pub struct Knobs {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Adaptive")]
 struct AdaptiveKnobs {
-    /// When the estimated standard error of its luminance is not above this.
+    /// When the estimated standard error of its luminance is not above this. With "around" it has as many samples as their
+    /// standard deviation is times this, to the nearest doubling of the first ones.
     threshold: f64,
     max_samples: u32,
     /// "kept": all samples count. "apart": the first ones decide how many others there are, and have the weight 0.
+    /// "around": all count; the first ones of the pixels around decided how many there are.
     pilot: Pilot,
 }
 
