@@ -58,6 +58,7 @@ impl<P: Probe> Tracer<'_, P> {
         let hit = arrival.hit;
         self.probe.event(Event::Passed { hit, medium });
         self.rays += 1;
+        self.spent += 1;
         path.entered = crossed.change.entered;
         path.foreseen = None;
         Some(crossed.end)
