@@ -81,8 +81,9 @@ pub struct Edges {
 }
 
 impl Triangle {
-    /// The edge functions of the ray whose view `shear` is.
-    #[inline]
+    /// The edge functions of the ray whose view `shear` is. (Always inlined, as the test around it: left to the compiler, that
+    /// depends on code that has nothing to do with it.)
+    #[inline(always)]
     pub fn edges(&self, shear: &Shear) -> Edges {
         let [a, b, c] = self.corners;
         let (a, b, c) = (shear.view(a), shear.view(b), shear.view(c));
@@ -110,7 +111,7 @@ impl Triangle {
     }
 
     /// The crossing inside the interval. A triangle seen edge-on, or without area, is missed.
-    #[inline]
+    #[inline(always)]
     pub fn intersect(&self, shear: &Shear, interval: Interval) -> Intersection {
         let Edges {
             functions: [u, v, w],
