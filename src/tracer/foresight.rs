@@ -4,20 +4,25 @@
 //! scene; an accelerator that follows them together is several times as fast. The tracer stays the one recursive
 //! function that it is: it asks a foreseen question like any other, and the answer is the same to the last bit.
 
+use std::ops::Range;
+
 use super::lights::{Question, Surface, question, samples, seen};
 use super::samples::{Place, place};
 use super::tile::Tile;
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
 use crate::probe::Absence;
-use crate::scene::{Effect, Settings, World};
+use crate::scene::{Effect, Scene, Settings, World};
 use crate::shading::Interaction;
 
 /// The edge of the blocks in which a tile's rays are put side by side: a block's rays make one bundle.
 const BLOCK: u32 = 4;
 
-/// Lights that are foreseen at most; the others are asked one ray at a time. It bounds the memory.
-const MOST_LIGHTS: usize = 64;
+/// Rays to one area from which on they make bundles of their own at each hit.
+const MANY: usize = 16;
+
+/// Questions of a pixel that are foreseen at most; the further lights are asked hit by hit. It bounds the memory.
+const MOST_QUESTIONS: usize = 64;
 
 /// The answers for one sample of each of some pixels.
 #[derive(Default)]
@@ -27,14 +32,16 @@ pub struct Foresight {
     hits: Vec<Option<Hit>>,
     /// For each pixel, where its ray arrives.
     arrivals: Vec<Option<Interaction>>,
-    /// For each pixel, light by light: the question to it; `None` where none is foreseen.
+    /// For each pixel its questions, light by light; `None` where its ray arrives nowhere.
     asked: Vec<Option<Asked>>,
-    /// Lights of each pixel in `asked`.
-    lights: usize,
+    /// For each light, which of a pixel's questions are to it; those of a light that is not foreseen are missing.
+    spans: Vec<Range<usize>>,
+    /// Questions of each pixel.
+    stride: usize,
     shadow: Shadow,
 }
 
-/// What a place asks of a light that is sent one ray.
+/// What a place asks of a light with one ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
     /// The question, or why there is none.
@@ -48,8 +55,8 @@ pub struct Asked {
 pub struct Foreseen<'a> {
     /// Its closest hit, and the place.
     pub found: Option<(&'a Hit, &'a Interaction)>,
-    /// Light by light, what the place asks of it.
-    pub asked: &'a [Option<Asked>],
+    asked: &'a [Option<Asked>],
+    spans: &'a [Range<usize>],
 }
 
 /// The shadow rays to one light.
@@ -92,21 +99,37 @@ impl Foresight {
         self.arrivals.extend(
             rays_and_hits.map(|((ray, _), hit)| Some(scene.interaction(ray, hit.as_ref()?))),
         );
-        self.lights = scene.lights.len().min(MOST_LIGHTS);
+        self.share_out(scene, settings);
         self.asked.clear();
-        self.asked.resize(self.rays.len() * self.lights, None);
-        for light in 0..self.lights {
-            let one_ray = samples(scene, settings, light as u32) == 1;
-            if one_ray && settings.effects.has(Effect::Shadows) {
-                self.ask_light(world, settings, light);
-            }
+        self.asked.resize(self.rays.len() * self.stride, None);
+        for light in 0..self.spans.len() {
+            self.ask_light(world, settings, light);
         }
         true
     }
 
-    /// Asks whether each hit sees a light to which one ray is sent. (Many rays to an area make a bundle at each hit.)
+    /// Which questions to which lights are foreseen. (Many rays to an area make bundles at each hit.)
+    fn share_out(&mut self, scene: &Scene, settings: &Settings) {
+        self.spans.clear();
+        self.stride = 0;
+        if !settings.effects.has(Effect::Shadows) {
+            return;
+        }
+        for light in 0..scene.lights.len() as u32 {
+            let wanted = samples(scene, settings, light) as usize;
+            let count = if wanted < MANY { wanted } else { 0 };
+            if self.stride + count > MOST_QUESTIONS {
+                break;
+            }
+            self.spans.push(self.stride..self.stride + count);
+            self.stride += count;
+        }
+    }
+
+    /// Asks from each hit whether a light is seen.
     fn ask_light(&mut self, world: &World, settings: &Settings, light: usize) {
         let (scene, number) = (&world.scene, light as u32);
+        let span = self.spans[light].clone();
         let Shadow { rays, of, blocked } = &mut self.shadow;
         rays.clear();
         of.clear();
@@ -117,16 +140,19 @@ impl Foresight {
             let surface = Surface::new(at, scene.material_of(hit.primitive));
             let projected = seen(scene, settings, &surface, number);
             let light_seen = (&surface, projected.as_deref());
-            let question = question(scene, settings, place.asker, light_seen, (number, 0));
-            let index = i * self.lights + light;
-            if let Ok(Question { ray, lit, .. }) = question {
-                rays.push((ray, Interval::before(lit.distance)));
-                of.push(index);
+            for (sample, slot) in (0..).zip(span.clone()) {
+                let asked = (number, sample);
+                let question = question(scene, settings, place.asker, light_seen, asked);
+                let index = i * self.stride + slot;
+                if let Ok(Question { ray, lit, .. }) = question {
+                    rays.push((ray, Interval::before(lit.distance)));
+                    of.push(index);
+                }
+                self.asked[index] = Some(Asked {
+                    question,
+                    blocked: false,
+                });
             }
-            self.asked[index] = Some(Asked {
-                question,
-                blocked: false,
-            });
         }
         blocked.clear();
         blocked.resize(rays.len(), false);
@@ -143,10 +169,20 @@ impl Foresight {
         (0..self.places.len()).map(|i| {
             let foreseen = Foreseen {
                 found: self.hits[i].as_ref().zip(self.arrivals[i].as_ref()),
-                asked: &self.asked[i * self.lights..][..self.lights],
+                asked: &self.asked[i * self.stride..][..self.stride],
+                spans: &self.spans,
             };
             (&self.places[i], self.rays[i].0, foreseen)
         })
+    }
+}
+
+impl<'a> Foreseen<'a> {
+    /// What the place asks of a light, ray by ray; `None` if that is not foreseen.
+    #[inline]
+    pub fn asked(&self, light: u32) -> Option<&'a [Option<Asked>]> {
+        let span = self.spans.get(light as usize)?;
+        (!span.is_empty()).then(|| &self.asked[span.clone()])
     }
 }
 

@@ -14,8 +14,8 @@ type Facing<'s> = (&'s Surface<'s>, Option<&'s Projected>);
 impl<P: Probe> Tracer<'_, P> {
     /// One light: a shadow ray to it, many to an area, and for each that arrives the diffuse and the specular term.
     pub(super) fn light(&mut self, sum: &mut Rgb, path: &Path, surface: &Surface, light: u32) {
-        if let Some(asked) = path.foreseen.and_then(|f| *f.asked.get(light as usize)?) {
-            return self.light_as_foreseen(sum, surface, light, &asked);
+        if let Some(asked) = path.foreseen.and_then(|f| f.asked(light)) {
+            return self.light_as_foreseen(sum, surface, light, asked);
         }
         if self.world.scene.lights[light as usize].source.is_area() {
             return self.area_light(sum, path, surface, light);
@@ -63,16 +63,24 @@ impl<P: Probe> Tracer<'_, P> {
         true
     }
 
-    /// The same with one shadow ray that has been asked already.
-    fn light_as_foreseen(&mut self, sum: &mut Rgb, surface: &Surface, light: u32, asked: &Asked) {
-        if self.no_more_light(light) {
-            return;
-        }
-        self.spent += 1;
-        if let Ok(question) = &asked.question {
-            self.rays += 1;
-            if !asked.blocked {
-                self.lit(sum, surface, (light, 0), question);
+    /// The same with shadow rays that have been asked already.
+    fn light_as_foreseen(
+        &mut self,
+        sum: &mut Rgb,
+        surface: &Surface,
+        light: u32,
+        asked: &[Option<Asked>],
+    ) {
+        for (sample, asked) in (0..).zip(asked.iter().flatten()) {
+            if self.no_more_light(light) {
+                return;
+            }
+            self.spent += 1;
+            if let Ok(question) = &asked.question {
+                self.rays += 1;
+                if !asked.blocked {
+                    self.lit(sum, surface, (light, sample), question);
+                }
             }
         }
     }
