@@ -14,7 +14,7 @@ use raytree::lab::Reference;
 use raytree::lab::error::errors;
 use raytree::math::{LightSampling, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Sampling, Settings, World};
+use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings, World};
 use raytree::tracer::{Film, Flow, render};
 
 use table::{markdown, median, publish};
@@ -22,8 +22,11 @@ use table::{markdown, median, publish};
 /// How often each contestant draws.
 const ROUNDS: usize = 5;
 
-/// Samples a pixel; each asks each light once.
-const SAMPLES: u32 = 16;
+/// Shadow rays to the lamp, a pixel, where all have equally many.
+const RAYS: u32 = 16;
+
+/// Where the pixels around decide: their threshold, and the most samples.
+const AROUND: (f64, u32) = (0.003, 256);
 
 /// Samples a pixel of the reference, with another seed.
 const REFERENCE: u32 = 1024;
@@ -73,36 +76,73 @@ fn draw(world: &World, settings: &Settings, threads: usize) -> (Film, f64) {
     (film, start.elapsed().as_secs_f64())
 }
 
-/// A row for each way: rays, seconds, error, and error x root of seconds, which more samples leave alone.
-fn ways(world: &World, size: u32) -> String {
+/// What is compared: every way to choose places, and what else saves rays or time.
+fn ways(size: u32) -> Vec<(String, Settings)> {
     let base = Settings {
         width: size,
         height: size,
-        samples: SAMPLES,
+        samples: RAYS,
         light_samples: 1,
-        sampling: Sampling::Jittered,
+        sampling: Sampling::Sobol,
         ..Settings::default()
     };
-    let reference = Settings {
-        samples: REFERENCE,
-        seed: 99,
-        ..base
-    };
-    let reference = Reference::new(draw(world, &reference, 0).0, 1.0);
-    let ways: Vec<_> = Sampler::ALL
+    let mut ways: Vec<_> = Sampler::ALL
         .into_iter()
         .flat_map(|sampler| LightSampling::ALL.map(|by| (sampler, by)))
         .filter(|way| *way != (Sampler::Grid, LightSampling::Projected))
+        .map(|(sampler, light_sampling)| {
+            let name = format!("`{}`, by `{}`", sampler.name(), light_sampling.name());
+            (
+                name,
+                Settings {
+                    sampler,
+                    light_sampling,
+                    ..base
+                },
+            )
+        })
         .collect();
+    // Fewer rays from the eye, each with more to the lamp.
+    let four = Settings {
+        samples: 4,
+        light_samples: RAYS / 4,
+        ..base
+    };
+    ways.push(("`sobol`, 4 eye rays with 4 rays each".to_owned(), four));
+    let (threshold, max_samples) = AROUND;
+    for light_samples in [1, 4] {
+        let around = Settings {
+            light_samples,
+            adaptive: Some(Adaptive {
+                threshold,
+                max_samples,
+                pilot: Pilot::Around,
+            }),
+            ..four
+        };
+        let name = format!("`sobol`, `--pilot around`, eye rays with {light_samples} each");
+        ways.push((name, around));
+    }
+    ways
+}
+
+/// A row for each way: rays, seconds, error, and error x root of seconds, which more independent samples leave alone.
+fn rows(world: &World, size: u32) -> String {
+    let ways = ways(size);
+    let reference = Settings {
+        samples: REFERENCE,
+        seed: 99,
+        ..ways[0].1
+    };
+    let reference = Settings {
+        sampler: Sampler::Sobol,
+        ..reference
+    };
+    let reference = Reference::new(draw(world, &reference, 0).0, 1.0);
     let mut draws: Vec<Vec<Drawn>> = ways.iter().map(|_| Vec::new()).collect();
     for seed in 0..ROUNDS as u64 {
-        for ((sampler, light_sampling), draws) in ways.iter().zip(&mut draws) {
-            let settings = Settings {
-                sampler: *sampler,
-                light_sampling: *light_sampling,
-                seed,
-                ..base
-            };
+        for ((_, settings), draws) in ways.iter().zip(&mut draws) {
+            let settings = Settings { seed, ..*settings };
             let (film, seconds) = draw(world, &settings, 1);
             let rmse = errors(&film, &reference, 1.0).expect("the same size").rmse;
             draws.push(Drawn {
@@ -113,8 +153,7 @@ fn ways(world: &World, size: u32) -> String {
         }
     }
     let head = [
-        "sampler",
-        "places by",
+        "places on the lamp",
         "Mrays",
         "seconds",
         "RMSE",
@@ -122,13 +161,12 @@ fn ways(world: &World, size: u32) -> String {
     ]
     .map(String::from);
     let mut rows = Vec::new();
-    for ((sampler, by), draws) in ways.iter().zip(&draws) {
+    for ((name, _), draws) in ways.iter().zip(&draws) {
         let seconds = median(draws.iter().map(|d| d.seconds));
         let squares: f64 = draws.iter().map(|d| d.rmse * d.rmse).sum();
         let rmse = (squares / draws.len() as f64).sqrt();
         rows.push(vec![
-            sampler.name().to_owned(),
-            by.name().to_owned(),
+            name.clone(),
             format!("{:.2}", draws[0].rays as f64 / 1e6),
             format!("{seconds:.3}"),
             format!("{rmse:.5}"),
@@ -147,8 +185,9 @@ fn main() {
     let size = arguments.iter().skip_while(|a| *a != "--size").nth(1);
     let size = size.map_or(64, |n| n.parse().expect("a number of pixels"));
     let mut text = format!(
-        "{size}x{size} pixels, {SAMPLES} samples, one ray to the light each, one thread. Seconds are medians of \
-         {ROUNDS} rounds in turns, errors the root of the mean of their squares.\n"
+        "{size}x{size} pixels, {RAYS} rays to the lamp each, in the first rows with an eye ray each, in the last as many \
+         as the pixels around ask for (4 eye rays or more, T = {}); one thread. Seconds are medians of {ROUNDS} rounds in turns, errors the root of the mean of their squares.\n",
+        AROUND.0
     );
     let soft_shadow = scene::load("soft-shadow").expect("built in");
     let soft_shadow = World::new(soft_shadow, AccelKind::List);
@@ -156,7 +195,7 @@ fn main() {
         ("The bunny on a floor below a lamp", bunny()),
         ("`soft-shadow`", soft_shadow),
     ] {
-        let _ = write!(text, "\n{name}:\n\n{}", ways(&world, size));
+        let _ = write!(text, "\n{name}:\n\n{}", rows(&world, size));
     }
     publish("soft-shadows", &text);
 }

@@ -12,6 +12,7 @@ pub mod picture;
 pub mod pixel;
 pub mod sampled;
 pub mod samples;
+pub mod shadow;
 pub mod spread;
 pub mod stack;
 pub mod tile;

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::lights::{Question, Surface, question, samples, seen};
 use super::samples::{Place, place};
+use super::shadow::Shadow;
 use super::tile::Tile;
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
@@ -18,10 +19,7 @@ use crate::shading::Interaction;
 /// The edge of the blocks in which a tile's rays are put side by side: a block's rays make one bundle.
 const BLOCK: u32 = 4;
 
-/// Rays to one area from which on they make bundles of their own at each hit.
-const MANY: usize = 16;
-
-/// Questions of a pixel that are foreseen at most; the further lights are asked hit by hit. It bounds the memory.
+/// Questions of a pixel that are foreseen at most; a light with more is asked hit by hit. It bounds the memory.
 const MOST_QUESTIONS: usize = 64;
 
 /// The answers for one sample of each of some pixels.
@@ -57,15 +55,6 @@ pub struct Foreseen<'a> {
     pub found: Option<(&'a Hit, &'a Interaction)>,
     asked: &'a [Option<Asked>],
     spans: &'a [Range<usize>],
-}
-
-/// The shadow rays to one light.
-#[derive(Default)]
-struct Shadow {
-    rays: Vec<(Ray, Interval)>,
-    /// Ray by ray, the index of its question.
-    of: Vec<usize>,
-    blocked: Vec<bool>,
 }
 
 impl Foresight {
@@ -108,7 +97,7 @@ impl Foresight {
         true
     }
 
-    /// Which questions to which lights are foreseen. (Many rays to an area make bundles at each hit.)
+    /// Which questions to which lights are foreseen.
     fn share_out(&mut self, scene: &Scene, settings: &Settings) {
         self.spans.clear();
         self.stride = 0;
@@ -117,10 +106,8 @@ impl Foresight {
         }
         for light in 0..scene.lights.len() as u32 {
             let wanted = samples(scene, settings, light) as usize;
-            let count = if wanted < MANY { wanted } else { 0 };
-            if self.stride + count > MOST_QUESTIONS {
-                break;
-            }
+            let fits = self.stride + wanted <= MOST_QUESTIONS;
+            let count = if fits { wanted } else { 0 };
             self.spans.push(self.stride..self.stride + count);
             self.stride += count;
         }
@@ -130,9 +117,7 @@ impl Foresight {
     fn ask_light(&mut self, world: &World, settings: &Settings, light: usize) {
         let (scene, number) = (&world.scene, light as u32);
         let span = self.spans[light].clone();
-        let Shadow { rays, of, blocked } = &mut self.shadow;
-        rays.clear();
-        of.clear();
+        self.shadow.clear();
         for (i, place) in self.places.iter().enumerate() {
             let Some((hit, at)) = self.hits[i].as_ref().zip(self.arrivals[i].as_ref()) else {
                 continue;
@@ -145,8 +130,7 @@ impl Foresight {
                 let question = question(scene, settings, place.asker, light_seen, asked);
                 let index = i * self.stride + slot;
                 if let Ok(Question { ray, lit, .. }) = question {
-                    rays.push((ray, Interval::before(lit.distance)));
-                    of.push(index);
+                    self.shadow.push(ray, lit.distance, index);
                 }
                 self.asked[index] = Some(Asked {
                     question,
@@ -154,12 +138,10 @@ impl Foresight {
                 });
             }
         }
-        blocked.clear();
-        blocked.resize(rays.len(), false);
-        world.accel.any_many(&scene.shapes, rays, blocked);
-        for (index, blocked) in of.iter().zip(blocked) {
-            if let Some(asked) = &mut self.asked[*index] {
-                asked.blocked = *blocked;
+        let to_area = scene.lights[light].source.is_area();
+        for (index, blocked) in self.shadow.answers(world, to_area) {
+            if let Some(asked) = &mut self.asked[index] {
+                asked.blocked = blocked;
             }
         }
     }

@@ -1,8 +1,9 @@
 //! What a place on a surface asks of a light: whether anything stands on the way to it.
 
+use super::shadow::Shadow;
 use crate::math::points::Run;
 use crate::math::sampler::light_run;
-use crate::math::{Interval, LightSampling, Ray, Rgb, Sampler};
+use crate::math::{LightSampling, Ray, Rgb, Sampler};
 use crate::probe::Absence;
 use crate::scene::{Effect, Scene, Settings, World};
 use crate::shading::{Area, Illumination, Interaction, Material, Projected, Source};
@@ -40,12 +41,12 @@ pub struct Surface<'a> {
     pub diffuse: Rgb,
 }
 
-/// The questions of one place to one light, and the answers: room that is used again and again.
-#[derive(Debug, Default)]
+/// The questions of one place to one area, and the answers: room that is used again and again.
+#[derive(Default)]
 pub struct Bundle {
     /// Each with the number of its sample.
     pub questions: Vec<(u32, Question)>,
-    rays: Vec<(Ray, Interval)>,
+    shadow: Shadow,
     /// Question by question, whether something stands in the way.
     pub blocked: Vec<bool>,
 }
@@ -217,13 +218,14 @@ impl<'a> Surface<'a> {
 impl Bundle {
     /// Answers all questions together.
     pub fn answer(&mut self, world: &World) {
-        self.rays.clear();
-        let rays = self.questions.iter();
-        self.rays
-            .extend(rays.map(|(_, q)| (q.ray, Interval::before(q.lit.distance))));
+        self.shadow.clear();
+        for (i, (_, question)) in self.questions.iter().enumerate() {
+            self.shadow.push(question.ray, question.lit.distance, i);
+        }
         self.blocked.clear();
-        self.blocked.resize(self.rays.len(), false);
-        let shapes = &world.scene.shapes;
-        world.accel.any_many(shapes, &self.rays, &mut self.blocked);
+        self.blocked.resize(self.questions.len(), false);
+        for (i, blocked) in self.shadow.answers(world, true) {
+            self.blocked[i] = blocked;
+        }
     }
 }
