@@ -21,7 +21,6 @@ use crate::lab::{
 };
 use crate::scene::limits::MAX_SECONDS;
 use crate::scene::{Sampling, Settings, World, flags};
-use crate::tracer::picture::png;
 
 /// The size of the pictures if none is asked for: small, since many are rendered.
 const SIZE: (u32, u32) = (120, 90);
@@ -143,10 +142,7 @@ impl Cost {
         if strips.is_empty() && self.strip.is_some() {
             eprintln!("warning: no strip: nothing that it could show was measured");
         } else if let Some(path) = &self.strip {
-            let png = png::encode(&strip::picture(&strips), base.exposure);
-            output::write(Some(path), |out| {
-                out.write_all(&png.map_err(std::io::Error::other)?)
-            })?;
+            output::write_png(path, &strip::picture(&strips), base.exposure)?;
             crops = table::strips(&strips, path);
         }
         let text = if self.json {

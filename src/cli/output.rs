@@ -6,6 +6,8 @@ use std::process::ExitCode;
 
 use super::Done;
 use crate::scene::SceneError;
+use crate::tracer::Film;
+use crate::tracer::picture::png;
 
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
@@ -70,6 +72,12 @@ pub fn write(
         source,
     })?;
     Ok(Done::Whole)
+}
+
+/// Writes a film to a PNG file.
+pub fn write_png(path: &Path, film: &Film, exposure: f64) -> Result<Done, Failure> {
+    let png = png::encode(film, exposure).map_err(io::Error::other);
+    write(Some(path), |out| out.write_all(&png?))
 }
 
 fn replace(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {

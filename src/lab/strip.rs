@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::cost::{Lab, Sweep};
 use super::error::{Reference, errors};
 use super::knobs::{Knob, LIGHT_SAMPLES};
-use crate::math::Rgb;
+use super::sheet::sheet;
 use crate::probe::Silent;
 use crate::scene::Settings;
 use crate::tracer::Film;
@@ -15,9 +15,6 @@ const EDGE: u32 = 32;
 
 /// How many times larger they are shown.
 const ZOOM: u32 = 4;
-
-/// Rows and columns between crops.
-const GAP: u32 = 4;
 
 /// A way of turning a knob, with as much of it as the time allows.
 #[derive(Clone, Debug)]
@@ -138,33 +135,25 @@ fn worst(tiles: &[Tile], reference: &Film) -> [u32; 4] {
 
 /// All strips below each other, on grey: in each the ways from left to right, then the reference.
 pub fn picture(strips: &[Strip]) -> Film {
-    let size = |n: u32, edge: u32| n * (edge * ZOOM + GAP) + GAP;
-    let edges = |i: usize| strips.iter().map(move |s| s.crop[i]).max().unwrap_or(0);
-    let most = strips.iter().map(|s| s.tiles.len() as u32 + 1).max();
-    let (width, height) = (
-        size(most.unwrap_or(0), edges(2)),
-        size(strips.len() as u32, edges(3)),
-    );
-    let mut film = Film {
+    let crops = |strip: &Strip| {
+        let films = strip.tiles.iter().map(|t| &t.film);
+        let all = films.chain([&strip.reference]);
+        all.map(|film| crop(film, strip.crop)).collect()
+    };
+    let rows: Vec<Vec<Film>> = strips.iter().map(crops).collect();
+    sheet(&rows, ZOOM)
+}
+
+/// A part of a film.
+fn crop(film: &Film, [x0, y0, width, height]: [u32; 4]) -> Film {
+    let rows = y0..y0 + height;
+    let pixels = rows.flat_map(|y| (x0..x0 + width).map(move |x| film.at(x, y)));
+    Film {
         width,
         height,
-        pixels: vec![Rgb::grey(0.5); width as usize * height as usize],
+        pixels: pixels.collect(),
         ..Film::default()
-    };
-    for (row, strip) in (0..).zip(strips) {
-        let [x0, y0, w, h] = strip.crop;
-        let films = strip.tiles.iter().map(|t| &t.film);
-        for (column, from) in (0..).zip(films.chain([&strip.reference])) {
-            let (left, top) = (size(column, edges(2)), size(row, edges(3)));
-            for y in 0..h * ZOOM {
-                for x in 0..w * ZOOM {
-                    let to = (top + y) as usize * width as usize + (left + x) as usize;
-                    film.pixels[to] = from.at(x0 + x / ZOOM, y0 + y / ZOOM);
-                }
-            }
-        }
     }
-    film
 }
 
 impl Knob {
