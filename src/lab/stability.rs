@@ -1,13 +1,20 @@
 //! Hard cases, measured: what common arithmetic makes of them, and what ours does.
 //!
 //! Each case is data and a function that counts how often an arithmetic is wrong. What is right is known on paper or
-//! from `expansion`, which is exact; nothing is quoted. The cases are the same in every run.
+//! from `expansion`, which is exact; nothing is quoted. The cases are the same in every run. A picture of a case is traced
+//! with the same functions.
 
 mod expansion;
+mod eye;
 mod meshes;
 mod optics;
+mod picture;
 mod polygons;
 mod spheres;
+mod surfaces;
+mod twins;
+
+pub use picture::{Panel, Picture};
 
 use crate::geometry::{Arithmetic, Naive, Shape};
 use crate::math::DVec3;
@@ -24,6 +31,8 @@ pub struct Case {
     pub source: &'static str,
     /// Measures it.
     pub measure: fn() -> Vec<Outcome>,
+    /// What it looks like.
+    pub picture: Picture,
 }
 
 /// How one arithmetic did on a case.
@@ -50,12 +59,12 @@ impl Outcome {
 
 /// All cases.
 pub const CASES: [Case; 9] = [
-    meshes::SELF_HITS,
-    meshes::PLATE_GAP,
+    surfaces::SELF_HITS,
+    surfaces::PLATE_GAP,
     meshes::SHARED_EDGES,
     meshes::SHARED_CORNERS,
     polygons::T_JUNCTIONS,
-    polygons::COPLANAR_TWINS,
+    twins::COPLANAR_TWINS,
     spheres::FAR_SPHERE,
     spheres::NEAR_SPHERE,
     optics::CRITICAL_ANGLE,

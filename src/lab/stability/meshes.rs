@@ -1,148 +1,51 @@
-//! Triangles: surfaces that are left, and edges that are shared.
+//! Closed meshes: rays at edges and corners that triangles share.
 
+use super::eye::Eye;
+use super::picture::{Panel, Picture, Place, Seen, panel};
 use super::{Case, Chance, Outcome, percent, under};
-use crate::geometry::{Arithmetic, Intersection, Offset, Shape, Shear, Triangle, TriangleTest};
-use crate::math::rounding::offset_origin;
+use crate::geometry::{Arithmetic, Intersection, Shape, Shear, Triangle, TriangleTest};
 use crate::math::{DVec3, Interval, Ray};
-
-pub const SELF_HITS: Case = Case {
-    name: "self-hits",
-    hard: "rays that leave a surface find it again (1e6 m from the origin)",
-    source: "Pharr, Jakob and Humphreys, Physically Based Rendering, 4th edition, section 6.8",
-    measure: self_hits,
-};
-
-pub const PLATE_GAP: Case = Case {
-    name: "plate-gap",
-    hard: "a second surface 1e-9 m behind must not be lost (1e3 m from the origin)",
-    source: "Waechter and Binder 2019, Ray Tracing Gems, chapter 6",
-    measure: plate_gap,
-};
 
 pub const SHARED_EDGES: Case = Case {
     name: "shared-edges",
     hard: "rays aimed at the edges of a closed mesh (1e3 m from the origin)",
     source: "Woop, Benthin and Wald 2013",
     measure: || crossings(|[a, b, _], s| a.lerp(b, s)),
+    picture: Picture {
+        shows: "a globe from inside, rays at its edges",
+        wrong: "slips through, or hits two",
+        draw: |size| {
+            let edges = ball(CENTER).iter().flat_map(edges).collect::<Vec<_>>();
+            from_inside(size, 0.3, |eye, place| eye.ray_at_edge(&edges, place))
+        },
+    },
 };
 
 pub const SHARED_CORNERS: Case = Case {
     name: "shared-corners",
     hard: "rays aimed at its corners, where several triangles meet",
-    source: "the same; a ray must cross a closed mesh an odd number of times from inside",
+    source: "the same: from inside a closed mesh is crossed an odd number of times",
     measure: || crossings(|[a, _, _], _| a),
+    picture: Picture {
+        shows: "a globe from inside, rays at its corners",
+        wrong: "slips through, or hits two",
+        draw: |size| {
+            let corners = ball(CENTER)
+                .iter()
+                .flat_map(|t| t.corners)
+                .collect::<Vec<_>>();
+            from_inside(size, 0.9, |eye, place| eye.ray_at_corner(&corners, place))
+        },
+    },
 };
 
 const RAYS: usize = 2000;
 
-fn offsets() -> [(String, bool, Arithmetic); 4] {
-    [
-        Offset::None,
-        Offset::Fixed(1e-9),
-        Offset::Fixed(1e-4),
-        Offset::Bounded,
-    ]
-    .map(|offset| {
-        let ours = offset == Offset::Bounded;
-        let name = if ours {
-            "ours".to_owned()
-        } else {
-            format!("--offset {offset}")
-        };
-        let choice = Arithmetic {
-            offset,
-            ..Arithmetic::default()
-        };
-        (name, ours, choice)
-    })
-}
-
-fn meet(shape: &Shape, ray: &Ray) -> Intersection {
-    shape.intersect(ray, &Shear::new(ray), Interval::FORWARD)
-}
-
-/// A triangle somewhere near `center`, and a ray that meets it.
-fn met(chance: &mut Chance, center: DVec3) -> (Triangle, Ray) {
-    let corners = [0, 1, 2].map(|_| center + chance.point());
-    let (u, v) = (0.1 + 0.4 * chance.next(), 0.1 + 0.4 * chance.next());
-    let [a, b, c] = corners;
-    let target = a * (1.0 - u - v) + b * u + c * v;
-    let origin = target + 3.0 * chance.point().normalize();
-    (
-        Triangle { corners },
-        Ray::new(origin, (target - origin).normalize()),
-    )
-}
-
-/// The ray that leaves the surface where `ray` meets it, to the side that `turned` chooses.
-fn leaving(shape: &Shape, ray: &Ray, direction: DVec3) -> Option<Ray> {
-    let Intersection::Hit { t, barycentric } = meet(shape, ray) else {
-        return None;
-    };
-    let at = shape.surface(ray, t, barycentric);
-    let origin = offset_origin(at.point, at.error, at.normal, direction);
-    Some(Ray::new(origin, direction))
-}
-
-fn self_hits() -> Vec<Outcome> {
-    let outcome = |(arithmetic, ours, choice): (String, bool, Arithmetic)| {
-        let mut chance = Chance(1);
-        let (mut wrong, mut all) = (0, 0);
-        for _ in 0..RAYS {
-            let (triangle, ray) = met(&mut chance, DVec3::splat(1e6));
-            let shape = under(choice, Shape::Triangle(triangle));
-            let direction = chance.point().normalize();
-            if let Some(next) = leaving(&shape, &ray, direction) {
-                all += 1;
-                wrong += usize::from(matches!(meet(&shape, &next), Intersection::Hit { .. }));
-            }
-        }
-        Outcome {
-            arithmetic,
-            ours,
-            found: percent(wrong, all),
-            allowed: 0.0,
-            unit: "% of rays hit what they left",
-        }
-    };
-    offsets().map(outcome).to_vec()
-}
-
-/// Plates of any tilt, and their twins behind them; rays go straight on through the first.
-fn plate_gap() -> Vec<Outcome> {
-    let outcome = |(arithmetic, ours, choice): (String, bool, Arithmetic)| {
-        let mut chance = Chance(2);
-        let (mut wrong, mut all) = (0, 0);
-        for _ in 0..RAYS {
-            let (plate, ray) = met(&mut chance, DVec3::splat(1e3));
-            let Some(n) = plate.normal() else { continue };
-            // Straight enough, so that the gap is crossed well inside of the border.
-            if n.dot(ray.direction).abs() < 1e-3 {
-                continue;
-            }
-            let behind = 1e-9 * n * n.dot(ray.direction).signum();
-            let twin = Triangle {
-                corners: plate.corners.map(|p| p + behind),
-            };
-            let [first, second] = [plate, twin].map(|t| under(choice, Shape::Triangle(t)));
-            if let Some(next) = leaving(&first, &ray, ray.direction) {
-                all += 1;
-                wrong += usize::from(!matches!(meet(&second, &next), Intersection::Hit { .. }));
-            }
-        }
-        Outcome {
-            arithmetic,
-            ours,
-            found: percent(wrong, all),
-            allowed: 0.0,
-            unit: "% of rays miss the second plate",
-        }
-    };
-    offsets().map(outcome).to_vec()
-}
+/// The middle of the mesh.
+const CENTER: DVec3 = DVec3::splat(1e3);
 
 /// A ball of triangles around `center`: an octahedron whose sides are cut into four, three times.
-fn ball(center: DVec3) -> Vec<Triangle> {
+pub fn ball(center: DVec3) -> Vec<Triangle> {
     let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
     let mut all: Vec<[DVec3; 3]> = Vec::new();
     for (s, t, u) in (0..8).map(|i| (i & 1, i >> 1 & 1, i >> 2)) {
@@ -167,46 +70,90 @@ fn ball(center: DVec3) -> Vec<Triangle> {
 
 /// Rays from inside to places on the edges that `aim` chooses: from inside, an odd number of triangles is crossed.
 fn crossings(aim: fn([DVec3; 3], f64) -> DVec3) -> Vec<Outcome> {
-    let center = DVec3::splat(1e3);
-    let mesh = ball(center);
+    let mesh = ball(CENTER);
     let mut chance = Chance(3);
     let rays: Vec<Ray> = (0..RAYS)
         .map(|i| {
             let target = aim(mesh[i % mesh.len()].corners, chance.next());
-            let origin = center + 0.3 * chance.point();
+            let origin = CENTER + 0.3 * chance.point();
             Ray::new(origin, (target - origin).normalize())
         })
         .collect();
-    TriangleTest::ALL
-        .map(|triangle| {
-            let choice = Arithmetic {
-                triangle,
-                ..Arithmetic::default()
-            };
-            let ours = choice == Arithmetic::default();
-            let shapes: Vec<Shape> = mesh
-                .iter()
-                .map(|t| under(choice, Shape::Triangle(*t)))
-                .collect();
-            let wrong = rays.iter().filter(|ray| {
-                let shear = Shear::new(ray);
-                let hit = |shape: &&Shape| {
-                    let found = shape.intersect(ray, &shear, Interval::FORWARD);
-                    matches!(found, Intersection::Hit { .. })
-                };
-                shapes.iter().filter(hit).count() % 2 == 0
-            });
-            Outcome {
-                arithmetic: if ours {
-                    "ours".to_owned()
-                } else {
-                    format!("--triangle {}", triangle.name())
-                },
-                ours,
-                found: percent(wrong.count(), RAYS),
-                allowed: 0.0,
-                unit: "% of rays cross an even number of times",
+    let outcome = |(arithmetic, ours, choice): (String, bool, Arithmetic)| {
+        let shapes = all_under(choice, &mesh);
+        let wrong = rays
+            .iter()
+            .filter(|ray| crossed(&shapes, ray).len().is_multiple_of(2));
+        Outcome {
+            arithmetic,
+            ours,
+            found: percent(wrong.count(), RAYS),
+            allowed: 0.0,
+            unit: "% of rays cross an even number of times",
+        }
+    };
+    tests().map(outcome).to_vec()
+}
+
+/// The tests that are compared.
+fn tests() -> [(String, bool, Arithmetic); 3] {
+    TriangleTest::ALL.map(|triangle| {
+        let choice = Arithmetic {
+            triangle,
+            ..Arithmetic::default()
+        };
+        if choice == Arithmetic::default() {
+            return ("ours".to_owned(), true, choice);
+        }
+        (format!("--triangle {}", triangle.name()), false, choice)
+    })
+}
+
+fn all_under(choice: Arithmetic, mesh: &[Triangle]) -> Vec<Shape> {
+    mesh.iter()
+        .map(|t| under(choice, Shape::Triangle(*t)))
+        .collect()
+}
+
+/// The numbers of the triangles that a ray crosses.
+fn crossed(shapes: &[Shape], ray: &Ray) -> Vec<usize> {
+    let shear = Shear::new(ray);
+    let hit = |shape: &Shape| {
+        let found = shape.intersect(ray, &shear, Interval::FORWARD);
+        matches!(found, Intersection::Hit { .. })
+    };
+    (0..shapes.len()).filter(|i| hit(&shapes[*i])).collect()
+}
+
+fn edges(triangle: &Triangle) -> [[DVec3; 2]; 3] {
+    let [a, b, c] = triangle.corners;
+    [[a, b], [b, c], [c, a]]
+}
+
+/// The ball's wall from inside, each triangle in a grey of its own. A ray is aimed where `aim` says, else at its pixel's middle. It
+/// must cross the wall once, since the ball is convex.
+fn from_inside(
+    size: (u32, u32),
+    reach: f64,
+    aim: impl Fn(&Eye, Place) -> Option<Ray> + Sync,
+) -> Vec<Panel> {
+    let mesh = ball(CENTER);
+    let to = DVec3::new(0.5, 0.4, -1.0);
+    let eye = Eye::new(CENTER + DVec3::new(0.05, -0.1, 0.2), CENTER + to, reach);
+    let grey = |t: &Triangle| {
+        t.normal()
+            .map_or(0.0, |n| 0.65 + 0.12 * libm::sin(40.0 * n.x + 17.0 * n.y))
+    };
+    let of = |(name, ours, choice): (String, bool, Arithmetic)| {
+        let shapes = all_under(choice, &mesh);
+        panel((&name, ours), size, |place| {
+            let ray = aim(&eye, place).unwrap_or_else(|| eye.ray(place));
+            let hit = crossed(&shapes, &ray);
+            Seen {
+                brightness: hit.first().map_or(0.0, |first| grey(&mesh[*first])),
+                wrong: hit.len() != 1,
             }
         })
-        .to_vec()
+    };
+    tests().map(of).to_vec()
 }

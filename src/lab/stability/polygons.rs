@@ -1,32 +1,31 @@
-//! Polygons as a tree has them: cut by its planes, and several in one plane.
+//! Polygons that a tree has cut by its planes.
 
+use super::eye::Eye;
+use super::picture::{Panel, Picture, Seen, panel};
 use super::{Case, Chance, Outcome, percent};
-use crate::accel::{Accel, AccelKind};
-use crate::geometry::{Hit, Intersection, Shape, Shear, Triangle};
+use crate::geometry::{Intersection, Shape, Shear, Triangle};
 use crate::math::{DVec3, Interval, Ray};
-use crate::probe::Silent;
 
 pub const T_JUNCTIONS: Case = Case {
     name: "t-junctions",
     hard: "rays aimed at an edge that a plane has cut on one of its two sides",
-    source: "trees that keep fragments; ours cut polygons only to learn which leaves they reach",
+    source: "trees that keep fragments; ours cut only to learn which leaves are met",
     measure: t_junctions,
+    picture: Picture {
+        shows: "a wall of bands, rays at their edges",
+        wrong: "slips through",
+        draw: wall,
+    },
 };
 
-pub const COPLANAR_TWINS: Case = Case {
-    name: "coplanar-twins",
-    hard: "one triangle twice, in two colours: which of them is seen?",
-    source: "speckles of polygons in one plane; ours: of equal t the smaller number, in every tree",
-    measure: coplanar_twins,
-};
+pub const RAYS: usize = 2000;
 
-const RAYS: usize = 2000;
-
-fn triangle(corners: [DVec3; 3]) -> Shape {
+pub fn triangle(corners: [DVec3; 3]) -> Shape {
     Shape::Triangle(Triangle { corners })
 }
 
-fn t(shape: &Shape, ray: &Ray) -> Option<f64> {
+/// Where a ray meets a shape.
+pub fn t(shape: &Shape, ray: &Ray) -> Option<f64> {
     match shape.intersect(ray, &Shear::new(ray), Interval::FORWARD) {
         Intersection::Hit { t, .. } => Some(t),
         _ => None,
@@ -65,43 +64,7 @@ fn t_junctions() -> Vec<Outcome> {
     )
 }
 
-/// The first that is found wins, unless a later one is nearer: then it is a matter of the order in which they are tested. Ours is
-/// asked of every accelerator.
-fn coplanar_twins() -> Vec<Outcome> {
-    let mut chance = Chance(15);
-    let corners = [chance.point(), chance.point(), chance.point()];
-    let twins = [triangle(corners), triangle(corners)];
-    let trees = AccelKind::ALL.map(|kind| Accel::build(kind, &twins));
-    let (mut by_order, mut ours) = (0, 0);
-    for _ in 0..RAYS {
-        let (u, v) = (0.5 * chance.next(), 0.5 * chance.next());
-        let target = corners[0] * (1.0 - u - v) + corners[1] * u + corners[2] * v;
-        let origin = target + 3.0 * chance.point().normalize();
-        let ray = Ray::new(origin, (target - origin).normalize());
-        let first_found = |order: [usize; 2]| {
-            let mut best: Option<(f64, usize)> = None;
-            for i in order {
-                if let Some(t) = t(&twins[i], &ray)
-                    && best.is_none_or(|(nearest, _)| t < nearest)
-                {
-                    best = Some((t, i));
-                }
-            }
-            best.map(|(_, i)| i)
-        };
-        by_order += usize::from(first_found([0, 1]) != first_found([1, 0]));
-        let seen = |tree: &Accel| {
-            let hit: Option<Hit> = tree.closest(&twins, &ray, Interval::FORWARD, &mut Silent);
-            hit.map(|hit| hit.primitive)
-        };
-        let first = seen(&trees[0]);
-        ours += usize::from(trees.iter().any(|tree| seen(tree) != first));
-    }
-    let unit = "% of rays see another in another order";
-    outcomes(unit, ["the first that is found", "ours"], [by_order, ours])
-}
-
-fn outcomes(unit: &'static str, names: [&str; 2], wrong: [usize; 2]) -> Vec<Outcome> {
+pub fn outcomes(unit: &'static str, names: [&str; 2], wrong: [usize; 2]) -> Vec<Outcome> {
     let one = |(name, wrong): (&str, usize)| Outcome {
         arithmetic: name.to_owned(),
         ours: name == "ours",
@@ -110,4 +73,47 @@ fn outcomes(unit: &'static str, names: [&str; 2], wrong: [usize; 2]) -> Vec<Outc
         unit,
     };
     names.into_iter().zip(wrong).map(one).collect()
+}
+
+/// Bands across the window. Of the two triangles at each edge one has been cut by four planes, or is whole.
+fn wall(size: (u32, u32)) -> Vec<Panel> {
+    const BANDS: usize = 10;
+    const CUTS: usize = 4;
+    let mut chance = Chance(36);
+    let mut end = |side: f64, i: usize| {
+        let y = 2.6 * (i as f64 + 0.6 * chance.next()) / BANDS as f64 - 1.4;
+        DVec3::new(1.4 * side, y, 0.2 * chance.next())
+    };
+    let lines: Vec<[DVec3; 2]> = (0..=BANDS).map(|i| [end(-1.0, i), end(1.0, i)]).collect();
+    let (mut fragments, mut whole) = (Vec::new(), Vec::new());
+    for pair in lines.windows(2) {
+        let [[a, b], [d, c]] = [pair[0], pair[1]];
+        let mut cuts: Vec<f64> = (0..CUTS).map(|_| chance.next()).collect();
+        cuts.sort_by(f64::total_cmp);
+        let mut along = vec![a];
+        along.extend(cuts.into_iter().map(|s| a.lerp(b, s)));
+        along.push(b);
+        fragments.extend(along.windows(2).map(|part| [part[0], part[1], c]));
+        fragments.push([a, c, d]);
+        whole.extend([[a, b, c], [a, c, d]]);
+    }
+    let eye = Eye::new(DVec3::new(0.1, 0.2, 3.0), DVec3::ZERO, 0.33);
+    let of = |(name, wall): (&str, Vec<[DVec3; 3]>)| {
+        let shapes: Vec<Shape> = wall.into_iter().map(triangle).collect();
+        panel((name, name == "ours"), size, |place| {
+            let ray = eye.ray_at_edge(&lines, place);
+            let ray = ray.unwrap_or_else(|| eye.ray(place));
+            let hit = shapes.iter().position(|shape| t(shape, &ray).is_some());
+            Seen {
+                brightness: hit.map_or(0.0, |i| 0.5 + 0.35 * grey(i)),
+                wrong: hit.is_none(),
+            }
+        })
+    };
+    [("fragments", fragments), ("ours", whole)].map(of).to_vec()
+}
+
+/// A number from 0 to 1 to tell neighbours from each other.
+pub fn grey(i: usize) -> f64 {
+    (i * 5 % 8) as f64 / 7.0
 }
