@@ -1,22 +1,31 @@
 //! `raytree stability`: hard cases, measured with common arithmetic and with ours.
 
+mod picture;
+
 use std::fmt::Write as _;
+use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::json;
 
-use super::{Done, Failure, output};
+use super::{ColorArg, Done, Failure, output};
 use crate::lab::stability::{CASES, Case, Outcome};
 
 #[derive(Args)]
 pub struct Stability {
-    /// Only this case, with where it is known from
+    /// Only this case, with where it is known from, and a picture
     #[arg(value_name = "CASE", value_parser = cases())]
     case: Option<Case>,
     /// As JSON
     #[arg(long)]
     json: bool,
+    /// Write the case's picture to a PNG file, larger; without, it is drawn as text
+    #[arg(short, long, value_name = "FILE.png", requires = "case")]
+    output: Option<PathBuf>,
+    /// Colours of the text picture
+    #[arg(long, value_enum, default_value_t = ColorArg::Auto)]
+    color: ColorArg,
 }
 
 impl Stability {
@@ -26,12 +35,30 @@ impl Stability {
             .filter(|case| self.case.is_none_or(|only| only.name == case.name));
         let measured: Vec<(Case, Vec<Outcome>)> =
             asked.map(|case| (case, (case.measure)())).collect();
-        let text = if self.json {
-            format!("{:#}\n", as_json(&measured))
-        } else {
-            as_text(&measured, self.case.is_some())
-        };
+        let seen = self.picture(&measured)?;
+        if self.json {
+            output::to_stdout(format!("{:#}\n", as_json(&measured)).as_bytes())?;
+            // Where the picture is must not stand among the data.
+            eprint!("{seen}");
+            return Ok(Done::Whole);
+        }
+        let text = as_text(&measured, self.case.is_some()) + &seen;
         output::to_stdout(text.as_bytes())
+    }
+
+    /// The picture of the one case that was asked for: what is to be said of it, after it was written where it should be.
+    fn picture(&self, measured: &[(Case, Vec<Outcome>)]) -> Result<String, Failure> {
+        let (Some(_), [(case, outcomes)]) = (self.case, measured) else {
+            return Ok(String::new());
+        };
+        match &self.output {
+            Some(path) => picture::to_file(&case.picture, path),
+            None if self.json => Ok(String::new()),
+            None => {
+                let level = self.color.level();
+                Ok(picture::as_text(&case.picture, outcomes.len(), level))
+            }
+        }
     }
 }
 
@@ -74,7 +101,10 @@ fn as_text(measured: &[(Case, Vec<Outcome>)], sources: bool) -> String {
         }
     }
     if !sources {
-        out.push_str("\nOne of them at work: raytree view whitted --offset none\n");
+        out.push_str(
+            "\nA picture of one: raytree stability shared-edges\n\
+             One of them at work: raytree view whitted --offset none\n",
+        );
     }
     out
 }
