@@ -13,9 +13,9 @@ use crate::geometry::Hit;
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
 use crate::scene::{Budget, Company, Effect, Room, Settings, World};
-use crate::shading::{Entered, Interaction, optics, phong};
+use crate::shading::{Entered, Interaction, Material, optics, phong};
 use arrive::Arrival;
-use split::{Split, Through};
+use split::Through;
 
 pub use crate::scene::limits::MAX_DEPTH;
 
@@ -154,17 +154,20 @@ impl<'a, P: Probe> Tracer<'a, P> {
             self.light(&mut sum, path, &surface, light);
         }
         // What comes from the mirrored and from the refracted direction.
-        let split = self.split(at, material, change);
-        self.reflect(&mut sum, path, at, &split);
-        self.transmit(&mut sum, path, at, &split);
+        if let Some(change) = change {
+            self.split(&mut sum, path, (at, material), change);
+        } else {
+            self.reflect(&mut sum, path, at, material.mirror);
+            self.absent(RayKind::Transmitted, Absence::NoTransmission);
+        }
         self.done(sum)
     }
 
     /// The reflected ray, if there is one: adds Wr radiance(R).
     #[inline]
-    fn reflect(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, split: &Split) {
+    fn reflect(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, weight: Rgb) {
         let kind = RayKind::Reflected;
-        if split.reflected.is_black() {
+        if weight.is_black() {
             return self.absent(kind, Absence::NoReflection);
         }
         if !self.settings.effects.has(Effect::Reflection) {
@@ -176,21 +179,28 @@ impl<'a, P: Probe> Tracer<'a, P> {
             return self.absent(kind, Absence::BelowSurface { n_dot_r });
         }
         let way = (direction, path.entered);
-        self.follow(sum, path, at, kind, split.reflected, way);
+        self.follow(sum, path, at, kind, weight, way);
     }
 
-    /// The transmitted ray, if there is one: adds Wt radiance(T).
-    #[inline]
-    fn transmit(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, split: &Split) {
+    /// The reflected and the transmitted ray where media change.
+    #[inline(never)]
+    fn split(
+        &mut self,
+        sum: &mut Rgb,
+        path: &Path,
+        (at, material): (&Interaction, &Material),
+        change: &Change,
+    ) {
+        let split = self.split_by_fresnel(at, material, change);
+        self.reflect(sum, path, at, split.reflected);
         match &split.transmitted {
-            Ok(through) => self.go_through(sum, path, at, through),
+            Ok(through) => self.transmit(sum, path, at, through),
             Err(reason) => self.absent(RayKind::Transmitted, *reason),
         }
     }
 
-    /// The same where something is transmitted.
-    #[inline(never)]
-    fn go_through(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, through: &Through) {
+    /// The transmitted ray: adds Wt radiance(T).
+    fn transmit(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, through: &Through) {
         let kind = RayKind::Transmitted;
         if !self.settings.effects.has(Effect::Refraction) {
             return self.absent(kind, Absence::EffectOff);

@@ -1,4 +1,4 @@
-//! How a surface shares light between the reflected and the transmitted ray.
+//! How a transparent surface shares light between the reflected and the transmitted ray.
 
 use super::Tracer;
 use crate::math::{DVec3, Rgb};
@@ -6,7 +6,7 @@ use crate::probe::{Absence, Event, Probe};
 use crate::shading::{Entered, Interaction, Material, optics};
 use crate::tracer::boundary::Change;
 
-/// What a surface does with a ray that arrived.
+/// What a transparent surface does with a ray that arrived.
 pub struct Split {
     /// The share of the light that is reflected.
     pub reflected: Rgb,
@@ -25,28 +25,14 @@ pub struct Through {
 }
 
 impl<P: Probe> Tracer<'_, P> {
-    /// How the surface shares light between reflection and transmission, where `change` is what changes there if it is
-    /// transparent.
-    #[inline]
-    pub(super) fn split(
+    /// A transparent surface reflects the share F of what it would let through (Fresnel): Wr = Kr + F Kt,
+    /// Wt = (1 - F) Kt. Under total internal reflection F is 1, in every model.
+    pub(super) fn split_by_fresnel(
         &mut self,
         at: &Interaction,
         m: &Material,
-        change: Option<&Change>,
+        change: &Change,
     ) -> Split {
-        match change {
-            Some(change) => self.split_by_fresnel(at, m, change),
-            None => Split {
-                reflected: m.mirror,
-                transmitted: Err(Absence::NoTransmission),
-            },
-        }
-    }
-
-    /// A transparent surface reflects the share F of what it would let through (Fresnel): Wr = Kr + F Kt,
-    /// Wt = (1 - F) Kt. Under total internal reflection F is 1, in every model.
-    #[inline(never)]
-    fn split_by_fresnel(&mut self, at: &Interaction, m: &Material, change: &Change) -> Split {
         let [n1, n2] = change
             .media
             .map(|medium| self.world.scene.medium_ior(medium));
