@@ -1,4 +1,6 @@
-//! What an area light costs for how much noise: every way to sample it, at equal rays, on whole pictures.
+//! What an area light costs for how much noise: every way to sample it, on whole pictures.
+//!
+//! The book's table: `RAYTREE_BOOK=1 cargo bench --bench soft_shadows -- --size 256`.
 //!
 //! `cargo bench --bench soft_shadows`, `-- --size N` for pictures of N x N pixels (64); with `RAYTREE_BOOK=1` the table
 //! goes into the book as well.
@@ -109,13 +111,13 @@ fn ways(size: u32) -> Vec<(String, Settings)> {
         ..base
     };
     ways.push(("`sobol`, 4 eye rays with 4 rays each".to_owned(), four));
-    let (threshold, max_samples) = AROUND;
+    let (threshold, most) = AROUND;
     for light_samples in [1, 4] {
         let around = Settings {
             light_samples,
             adaptive: Some(Adaptive {
                 threshold,
-                max_samples,
+                most,
                 pilot: Pilot::Around,
             }),
             ..four
@@ -185,8 +187,9 @@ fn main() {
     let size = arguments.iter().skip_while(|a| *a != "--size").nth(1);
     let size = size.map_or(64, |n| n.parse().expect("a number of pixels"));
     let mut text = format!(
-        "{size}x{size} pixels, {RAYS} rays to the lamp each, in the first rows with an eye ray each, in the last as many \
-         as the pixels around ask for (4 eye rays or more, T = {}); one thread. Seconds are medians of {ROUNDS} rounds in turns, errors the root of the mean of their squares.\n",
+        "{size}x{size} pixels, one thread. Seconds are medians of {ROUNDS} rounds in turns, errors the root of the mean of \
+         their squares. Each\npixel sends {RAYS} rays to the lamp, one from each of its eye rays if nothing is said; in the \
+         last two rows as many as the pixels\naround ask for (T = {}).\n",
         AROUND.0
     );
     let soft_shadow = scene::load("soft-shadow").expect("built in");

@@ -179,23 +179,34 @@ fn samples_by_chance_change_with_the_seed() {
     }
 }
 
+/// From 65 rays on each hit asks for itself; and a pixel whose budget ends between two rays ends there in both.
 #[test]
-fn one_ray_to_an_area_light_is_the_same_when_it_is_foreseen() {
-    for light_sampling in LightSampling::ALL {
-        let settings = Settings {
-            samples: 4,
-            light_samples: 1,
-            sampling: Sampling::Jittered,
-            light_sampling,
-            ..settings_of("soft-shadow", 40, 30)
-        };
-        let scene = scene::load("soft-shadow").expect("built in");
-        let [wide, list] =
-            [AccelKind::Wide, AccelKind::List].map(|kind| World::new(scene.clone(), kind));
-        let foreseen = film(&wide, &settings, 2);
-        let asked = film(&list, &settings, 2);
-        assert_eq!(bits(&foreseen.pixels), bits(&asked.pixels));
-        assert_eq!(foreseen.rays, asked.rays);
+fn rays_to_area_lights_are_the_same_when_they_are_foreseen() {
+    for (name, light_samples, max_rays) in [
+        ("soft-shadow", 1, u64::MAX),
+        ("soft-shadow", 64, u64::MAX),
+        ("soft-shadow", 65, u64::MAX),
+        ("lamps", 3, u64::MAX),
+        ("lamps", 20, u64::MAX),
+        ("lamps", 7, 40 * 30 * 15),
+    ] {
+        for light_sampling in LightSampling::ALL {
+            let settings = Settings {
+                samples: 2,
+                light_samples,
+                light_sampling,
+                max_rays,
+                ..settings_of(name, 40, 30)
+            };
+            let scene = scene::load(name).expect("built in");
+            let [wide, list] =
+                [AccelKind::Wide, AccelKind::List].map(|kind| World::new(scene.clone(), kind));
+            let foreseen = film(&wide, &settings, 2);
+            let asked = film(&list, &settings, 2);
+            assert_eq!(bits(&foreseen.pixels), bits(&asked.pixels), "{settings:?}");
+            assert_eq!(foreseen.rays, asked.rays, "{settings:?}");
+            assert_eq!(foreseen.cut, max_rays < u64::MAX, "{settings:?}");
+        }
     }
 }
 

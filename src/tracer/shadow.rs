@@ -49,7 +49,7 @@ impl Shadow {
         }));
         if to_area {
             let parts = self.order.chunks_mut(SORTED);
-            parts.for_each(|part| part.sort_unstable());
+            parts.for_each(<[_]>::sort_unstable);
             let order = self.order.iter();
             self.asked
                 .extend(order.map(|(_, i)| self.rays[*i as usize]));
