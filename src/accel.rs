@@ -29,6 +29,7 @@ pub use boxes::Boxes;
 pub use bsp::Bsp;
 pub use grid::Grid;
 pub use list::List;
+pub use packet::RAYS;
 pub use planes::Planes;
 pub use wide::Wide;
 

@@ -1,5 +1,6 @@
 //! Shadow rays to one light that are asked together, in an order in which neighbours go the same way.
 
+use crate::accel::RAYS;
 use crate::math::{DVec3, Interval, Ray};
 use crate::scene::World;
 
@@ -16,9 +17,10 @@ pub struct Shadow {
     /// Ray by ray, the index of its question.
     questions: Vec<u32>,
     blocked: Vec<bool>,
-    /// The cell of each ray's direction, and its place among the rays.
+    /// The cell of each ray's direction, and its place among the rays; and room to put them in that order.
     order: Vec<(u32, u32)>,
-    asked: Vec<(Ray, Interval)>,
+    sorted_rays: Vec<(Ray, Interval)>,
+    sorted_questions: Vec<u32>,
 }
 
 impl Shadow {
@@ -26,9 +28,6 @@ impl Shadow {
     pub fn clear(&mut self) {
         self.rays.clear();
         self.questions.clear();
-        self.order.clear();
-        self.asked.clear();
-        self.blocked.clear();
     }
 
     /// Adds the ray of question number `question`, which ends at `distance`.
@@ -38,28 +37,39 @@ impl Shadow {
         self.questions.push(question as u32);
     }
 
-    /// Asks all rays; each question with whether something stands in the way.
+    /// Asks all rays, to an area or to a point; each question with whether something stands in the way.
+    #[inline]
     pub fn answers(&mut self, world: &World, to_area: bool) -> impl Iterator<Item = (usize, bool)> {
         // From neighbours to one point, rays go together as they are. To an area they go all over it: in the order of
         // their directions, each bundle sees a small part of the light.
-        let keyed = self.rays.iter().zip(0..);
-        self.order.extend(keyed.map(|((ray, _), i)| {
-            let cell = if to_area { cell(ray.direction) } else { 0 };
-            (cell, i)
-        }));
-        if to_area {
-            let parts = self.order.chunks_mut(SORTED);
-            parts.for_each(<[_]>::sort_unstable);
-            let order = self.order.iter();
-            self.asked
-                .extend(order.map(|(_, i)| self.rays[*i as usize]));
+        if to_area && self.rays.len() > RAYS && world.accel.gains_from_bundles() {
+            self.sort();
         }
-        let rays = if to_area { &self.asked } else { &self.rays };
-        self.blocked.resize(rays.len(), false);
+        self.blocked.clear();
+        self.blocked.resize(self.rays.len(), false);
         let shapes = &world.scene.shapes;
-        world.accel.any_many(shapes, rays, &mut self.blocked);
-        let order = self.order.iter().zip(&self.blocked);
-        order.map(|((_, i), blocked)| (self.questions[*i as usize] as usize, *blocked))
+        world.accel.any_many(shapes, &self.rays, &mut self.blocked);
+        let questions = self.questions.iter().zip(&self.blocked);
+        questions.map(|(question, blocked)| (*question as usize, *blocked))
+    }
+
+    /// Puts the rays in the order of their directions.
+    #[inline(never)]
+    fn sort(&mut self) {
+        self.order.clear();
+        let rays = self.rays.iter().zip(0..);
+        self.order
+            .extend(rays.map(|((ray, _), i)| (cell(ray.direction), i)));
+        let parts = self.order.chunks_mut(SORTED);
+        parts.for_each(<[_]>::sort_unstable);
+        let order = || self.order.iter().map(|(_, i)| *i as usize);
+        self.sorted_rays.clear();
+        self.sorted_rays.extend(order().map(|i| self.rays[i]));
+        self.sorted_questions.clear();
+        self.sorted_questions
+            .extend(order().map(|i| self.questions[i]));
+        std::mem::swap(&mut self.rays, &mut self.sorted_rays);
+        std::mem::swap(&mut self.questions, &mut self.sorted_questions);
     }
 }
 

@@ -7,7 +7,7 @@ use crate::accel::local::{FAR, FLATTEST, Frame, Plan, U, larger, round_up, small
 use crate::accel::simd::Level;
 use crate::math::{Interval, Ray};
 
-/// Rays in a packet.
+/// Rays in a packet: a bundle of more is followed in several.
 pub const RAYS: usize = 16;
 
 /// Fewer rays are followed one by one.
