@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use super::lights::{Question, Surface, question, samples, seen};
+use super::lights::{Asker, Question, Surface, question, samples, seen};
 use super::samples::{Place, place};
 use super::shadow::Shadow;
 use super::tile::Tile;
@@ -117,28 +117,27 @@ impl Foresight {
     fn ask_light(&mut self, world: &World, settings: &Settings, light: usize) {
         let (scene, number) = (&world.scene, light as u32);
         let span = self.spans[light].clone();
+        if span.is_empty() {
+            return;
+        }
+        let to_area = scene.lights[light].source.is_area();
         self.shadow.clear();
         for (i, place) in self.places.iter().enumerate() {
             let Some((hit, at)) = self.hits[i].as_ref().zip(self.arrivals[i].as_ref()) else {
                 continue;
             };
             let surface = Surface::new(at, scene.material_of(hit.primitive));
-            let projected = seen(scene, settings, &surface, number);
-            let light_seen = (&surface, projected.as_deref());
-            for (sample, slot) in (0..).zip(span.clone()) {
-                let asked = (number, sample);
-                let question = question(scene, settings, place.asker, light_seen, asked);
-                let index = i * self.stride + slot;
-                if let Ok(Question { ray, lit, .. }) = question {
-                    self.shadow.push(ray, lit.distance, index);
-                }
-                self.asked[index] = Some(Asked {
-                    question,
-                    blocked: false,
-                });
+            let first = i * self.stride + span.start;
+            let asked = &mut self.asked[first..][..span.len()];
+            if to_area {
+                let ask = (settings, place.asker, number);
+                ask_area(scene, ask, &surface, &mut self.shadow, (first, asked));
+            } else {
+                let question =
+                    question(scene, settings, place.asker, (&surface, None), (number, 0));
+                asked[0] = Some(foresee(&mut self.shadow, question, first));
             }
         }
-        let to_area = scene.lights[light].source.is_area();
         for (index, blocked) in self.shadow.answers(world, to_area) {
             if let Some(asked) = &mut self.asked[index] {
                 asked.blocked = blocked;
@@ -165,6 +164,35 @@ impl<'a> Foreseen<'a> {
     pub fn asked(&self, light: u32) -> Option<&'a [Option<Asked>]> {
         let span = self.spans.get(light as usize)?;
         (!span.is_empty()).then(|| &self.asked[span.clone()])
+    }
+}
+
+/// What is asked of an area from one place. (On its own, so that scenes without areas pay nothing for it.)
+#[inline(never)]
+fn ask_area(
+    scene: &Scene,
+    (settings, asker, light): (&Settings, Asker, u32),
+    surface: &Surface,
+    shadow: &mut Shadow,
+    (first, asked): (usize, &mut [Option<Asked>]),
+) {
+    let projected = seen(scene, settings, surface, light);
+    let facing = (surface, projected.as_deref());
+    for ((sample, index), asked) in (0..).zip(first..).zip(asked) {
+        let question = question(scene, settings, asker, facing, (light, sample));
+        *asked = Some(foresee(shadow, question, index));
+    }
+}
+
+/// Question number `index`, whose ray is put to the others.
+#[inline(always)]
+fn foresee(shadow: &mut Shadow, question: Result<Question, Absence>, index: usize) -> Asked {
+    if let Ok(Question { ray, lit, .. }) = question {
+        shadow.push(ray, lit.distance, index);
+    }
+    Asked {
+        question,
+        blocked: false,
     }
 }
 
