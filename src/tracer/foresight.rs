@@ -32,7 +32,7 @@ pub struct Foresight {
     arrivals: Vec<Option<Interaction>>,
     /// For each pixel its questions, light by light; `None` where its ray arrives nowhere.
     asked: Vec<Option<Asked>>,
-    /// For each light, which of a pixel's questions are to it; those of a light that is not foreseen are missing.
+    /// For each light, which of a pixel's questions are to it: none if it is not foreseen.
     spans: Vec<Range<usize>>,
     /// Questions of each pixel.
     stride: usize,

@@ -83,3 +83,55 @@ fn cell(direction: DVec3) -> u32 {
         places.iter().fold(key, |key, p| key << 1 | (p >> bit & 1))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_keep_neighbours_together() {
+        // The first three bits are the octant, whatever else a direction is.
+        for i in 0..1000 {
+            let turn = 2.4 * f64::from(i);
+            let y = 1.0 - f64::from(2 * i + 1) / 1000.0;
+            let r = (1.0 - y * y).sqrt();
+            let direction = DVec3::new(r * libm::cos(turn), y, r * libm::sin(turn));
+            let signs = direction.to_array().map(|d| u32::from(d >= 0.0));
+            let octant = signs.iter().fold(0, |octant, sign| octant << 1 | sign);
+            assert_eq!(cell(direction) >> (3 * (LEVELS - 1)), octant, "{direction}");
+        }
+        // The ends of the axes are in the grid.
+        for axis in DVec3::AXES {
+            assert!(cell(axis) < 1 << (3 * LEVELS) && cell(-axis) < 1 << (3 * LEVELS));
+        }
+        assert!(cell(DVec3::Y) > cell(DVec3::new(0.0, 0.9, 0.0)));
+    }
+
+    #[test]
+    fn each_ray_keeps_its_question() {
+        let mut shadow = Shadow::default();
+        let direction = |i: usize| {
+            let turn = i as f64 * 2.4;
+            DVec3::new(libm::cos(turn), 0.1, libm::sin(turn)).normalize()
+        };
+        for i in 0..2 * SORTED {
+            shadow.push(Ray::new(DVec3::ZERO, direction(i)), 1.0, i + 7);
+        }
+        shadow.sort();
+        for (half, rays) in shadow.rays.chunks(SORTED).enumerate() {
+            let cells = rays.iter().map(|(ray, _)| cell(ray.direction));
+            assert!(cells.is_sorted(), "{half}");
+        }
+        let both = shadow.rays.iter().zip(&shadow.questions);
+        for ((ray, _), question) in both {
+            assert_eq!(ray.direction, direction(*question as usize - 7));
+        }
+        let mut questions = shadow.questions.clone();
+        questions.sort_unstable();
+        assert!(
+            questions
+                .iter()
+                .eq(&(7..7 + 2 * SORTED as u32).collect::<Vec<_>>())
+        );
+    }
+}
