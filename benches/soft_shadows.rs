@@ -134,11 +134,8 @@ fn rows(world: &World, size: u32) -> String {
     let reference = Settings {
         samples: REFERENCE,
         seed: 99,
-        ..ways[0].1
-    };
-    let reference = Settings {
         sampler: Sampler::Sobol,
-        ..reference
+        ..ways[0].1
     };
     let reference = Reference::new(draw(world, &reference, 0).0, 1.0);
     let mut draws: Vec<Vec<Drawn>> = ways.iter().map(|_| Vec::new()).collect();
