@@ -31,6 +31,14 @@ impl Corners {
     /// No triangle.
     pub const NONE: Self = Self([[[0.0; LANES]; 3]; 3]);
 
+    /// The same triangle for all rays.
+    #[inline(always)]
+    pub fn all(triangle: &Triangle) -> Self {
+        let [a, b, c] = triangle.corners.map(|p| p.to_array());
+        let row = |p: [f64; 3]| [[p[0]; LANES], [p[1]; LANES], [p[2]; LANES]];
+        Self([row(a), row(b), row(c)])
+    }
+
     /// Puts a ray's triangle into a lane.
     #[inline(always)]
     pub fn set(&mut self, lane: usize, triangle: &Triangle) {

@@ -17,6 +17,9 @@ use crate::geometry::{Hit, Shape};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Silent};
 
+/// So many rays of eight are decided together in less time than one by one.
+const TOGETHER: u32 = 2;
+
 /// What was asked, and what is known of the answers.
 pub struct Hits<'a> {
     shapes: &'a [Shape],
@@ -107,11 +110,8 @@ impl<'a> Hits<'a> {
             & level.le16(&farthest, &rays.max)
             & may;
         if ANY {
-            for i in each(may & !surely) {
-                self.test::<ANY>(rays, i, primitive);
-            }
-            self.found |= surely;
-            set(&mut rays.max, surely, &[-1.0; RAYS]);
+            self.find(rays, surely);
+            self.decide_one(level, rays, primitive, may & !surely);
             return may != 0;
         }
         // Behind what was put off: the double test of that comes now, unless this one surely hides it.
@@ -126,6 +126,32 @@ impl<'a> Hits<'a> {
         set(&mut self.nearest, may, &nearest);
         set(&mut rays.max, surely, &farthest);
         surely != 0
+    }
+
+    /// The rays of the mask hit something, and any hit will do.
+    #[inline(always)]
+    fn find(&mut self, rays: &mut Rays, mask: u32) {
+        self.found |= mask;
+        set(&mut rays.max, mask, &[-1.0; RAYS]);
+    }
+
+    /// The double test of one triangle against the rays of the mask, if any hit will do. Where shadow rays start and end,
+    /// single precision cannot decide: neighbours meet the same triangles there.
+    #[inline(always)]
+    fn decide_one<L: Level>(&mut self, level: L, rays: &mut Rays, primitive: u32, mask: u32) {
+        for half in 0..RAYS / LANES {
+            let mut open = mask >> (half * LANES) & ((1 << LANES) - 1);
+            if open.count_ones() >= TOGETHER
+                && let Shape::Triangle(triangle) = &self.shapes[primitive as usize]
+            {
+                let found = Corners::all(triangle).decide(level, rays, half);
+                self.find(rays, (found.hits & open) << (half * LANES));
+                open &= found.rare;
+            }
+            for lane in each(open) {
+                self.test::<true>(rays, half * LANES + lane, primitive);
+            }
+        }
     }
 
     /// The double test of all that was put off.
