@@ -5,7 +5,10 @@ use crate::math::{DVec3, Interval, Ray};
 use crate::scene::World;
 
 /// Rays that are put in order together: more would start too far from each other.
-const SORTED: usize = 512;
+const SORTED: usize = 1 << PLACE;
+
+/// Bits of a ray's place among these.
+const PLACE: u32 = 9;
 
 /// Levels of the grid of directions, along each axis, in bits.
 const LEVELS: u32 = 6;
@@ -17,8 +20,9 @@ pub struct Shadow {
     /// Ray by ray, the index of its question.
     questions: Vec<u32>,
     blocked: Vec<bool>,
-    /// The cell of each ray's direction, and its place among the rays; and room to put them in that order.
-    order: Vec<(u32, u32)>,
+    /// The cell of each ray's direction, above its place among those that are sorted with it; and room to put them in
+    /// that order.
+    order: Vec<u32>,
     sorted_rays: Vec<(Ray, Interval)>,
     sorted_questions: Vec<u32>,
 }
@@ -56,13 +60,19 @@ impl Shadow {
     /// Puts the rays in the order of their directions.
     #[inline(never)]
     fn sort(&mut self) {
+        const LAST: u32 = SORTED as u32 - 1;
         self.order.clear();
         let rays = self.rays.iter().zip(0..);
         self.order
-            .extend(rays.map(|((ray, _), i)| (cell(ray.direction), i)));
+            .extend(rays.map(|((ray, _), i)| cell(ray.direction) << PLACE | (i & LAST)));
         let parts = self.order.chunks_mut(SORTED);
         parts.for_each(<[_]>::sort_unstable);
-        let order = || self.order.iter().map(|(_, i)| *i as usize);
+        let ordered = self.order.iter().zip(0..);
+        let order = || {
+            ordered
+                .clone()
+                .map(|(key, i)| ((i & !LAST) | (key & LAST)) as usize)
+        };
         self.sorted_rays.clear();
         self.sorted_rays.extend(order().map(|i| self.rays[i]));
         self.sorted_questions.clear();
