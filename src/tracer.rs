@@ -3,6 +3,7 @@
 //! [`render()`] follows the rays of every pixel and listens to nothing; [`pixel()`] with a recording probe follows the
 //! rays of one pixel and writes them down. Both go through [`whitted`].
 
+pub mod area;
 pub mod around;
 pub mod boundary;
 pub mod film;

@@ -6,7 +6,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::math::{DVec3, Ray};
+use crate::math::DVec3;
 
 /// How a triangle is tested.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -148,10 +148,10 @@ impl FromStr for Offset {
 
 impl Arithmetic {
     /// How much sooner than at a light, `distance` metres from `point` and met at an angle of this cosine, a ray to it ends
-    /// that starts near there, so that the light does not stand in its own way. With ours the end of the ray is clear of the
-    /// light by the errors there; it is the start that may be moved by more, off a surface that is larger than all else.
-    pub fn short_of_light(&self, point: DVec3, ray: &Ray, (distance, cos): (f64, f64)) -> f64 {
-        let moved = (ray.origin - point).length();
+    /// that starts `moved` metres from there, so that the light does not stand in its own way. With ours the end of the ray
+    /// is clear of the light by the errors there; it is the start that may be moved by more, off a surface that is larger
+    /// than all else.
+    pub fn short_of_light(&self, point: DVec3, moved: f64, (distance, cos): (f64, f64)) -> f64 {
         let by_offset = match self.offset {
             Offset::Fixed(_) => moved / cos.max(0.01),
             Offset::Bounded => moved / cos.max(1e-6),

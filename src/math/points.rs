@@ -10,7 +10,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::sampler::{mix, unit};
-use super::sobol;
+use super::sobol::{self, Scramble};
 
 /// How points are chosen.
 #[derive(
@@ -52,6 +52,30 @@ pub struct Run {
     pub count: u32,
 }
 
+/// A run's points by their sampler, and what they have in common.
+#[derive(Clone, Copy, Debug)]
+pub enum Points {
+    /// The cells of a grid.
+    Grid {
+        /// How many.
+        count: u32,
+    },
+    /// Independent ones.
+    Random {
+        /// Which run.
+        key: u64,
+    },
+    /// One in each cell.
+    Stratified(Run),
+    /// A sequence, and after its end others.
+    Sobol {
+        /// Which run.
+        key: u64,
+        /// That of the first sequence.
+        scramble: Scramble,
+    },
+}
+
 impl LightSampling {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Area, Self::Projected];
@@ -80,23 +104,58 @@ impl Sampler {
     }
 
     /// Point number `index` of a run, in [0, 1)^2.
-    pub fn point(self, Run { key, count }: Run, index: u32) -> [f64; 2] {
-        // Two numbers by chance, from the run and the point's own number.
-        let chance = || {
-            let x = mix(key ^ mix(u64::from(index)));
-            [unit(x), unit(mix(x))]
-        };
-        match self {
-            Self::Grid => in_cell(index % count.max(1), count, [0.5, 0.5]),
-            Self::Random => chance(),
-            // The cells come in an order of chance, so that any part of the run is spread over the whole square.
-            Self::Stratified => in_cell(shuffled(index, count, key), count, chance()),
-            Self::Sobol => {
-                let scramble = mix(key ^ u64::from(index / sobol::POINTS)) as u32;
-                sobol::point(index % sobol::POINTS, scramble)
-            }
+    pub fn point(self, run: Run, index: u32) -> [f64; 2] {
+        Points::new(self, run).at(index)
+    }
+}
+
+impl Points {
+    /// The points of a run.
+    #[inline]
+    pub fn new(sampler: Sampler, run: Run) -> Self {
+        match sampler {
+            Sampler::Grid => Self::Grid { count: run.count },
+            Sampler::Random => Self::Random { key: run.key },
+            Sampler::Stratified => Self::Stratified(run),
+            Sampler::Sobol => Self::Sobol {
+                key: run.key,
+                scramble: scramble(run.key, 0),
+            },
         }
     }
+
+    /// Point number `index`, in [0, 1)^2. (Always inlined: both places that ask, on the film and on lights, are called for
+    /// every sample.)
+    #[inline(always)]
+    pub fn at(&self, index: u32) -> [f64; 2] {
+        match *self {
+            Self::Grid { count } => in_cell(index % count.max(1), count, [0.5, 0.5]),
+            Self::Random { key } => chance(key, index),
+            // The cells come in an order of chance, so that any part of the run is spread over the whole square.
+            Self::Stratified(Run { key, count }) => {
+                in_cell(shuffled(index, count, key), count, chance(key, index))
+            }
+            Self::Sobol {
+                key,
+                scramble: first,
+            } => match index / sobol::POINTS {
+                0 => first.point(index),
+                sequence => scramble(key, sequence).point(index % sobol::POINTS),
+            },
+        }
+    }
+}
+
+/// Two numbers by chance, from the run and the point's own number.
+fn chance(key: u64, index: u32) -> [f64; 2] {
+    let x = mix(key ^ mix(u64::from(index)));
+    [unit(x), unit(mix(x))]
+}
+
+/// The scramble of the sequence that comes after `sequence` others of a run are used up.
+#[inline]
+fn scramble(key: u64, sequence: u32) -> Scramble {
+    Scramble::new(mix(key ^ u64::from(sequence)) as u32)
 }
 
 /// The place (dx, dy) in cell number `cell` of the squarest grid of `count` cells.
@@ -192,6 +251,22 @@ mod tests {
             }
             assert_eq!(cells, [1; 64], "{columns} x {rows}");
         }
+    }
+
+    #[test]
+    fn after_the_end_of_a_sequence_another_begins() {
+        let run = Run {
+            key: 3,
+            count: 2 * sobol::POINTS,
+        };
+        let points = Points::new(Sampler::Sobol, run);
+        let mut cells = [0; 16];
+        for index in 0..16 {
+            let [x, y] = points.at(sobol::POINTS + index);
+            assert_ne!([x, y], points.at(index));
+            cells[(y * 4.0) as usize * 4 + (x * 4.0) as usize] += 1;
+        }
+        assert_eq!(cells, [1; 16]);
     }
 
     #[test]

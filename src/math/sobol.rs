@@ -14,20 +14,36 @@ const ORDER: u32 = 0x79c6_8e4a;
 const AXES: [u32; 2] = [0x912f_69ba, 0x174f_18ab];
 const SPREAD: u32 = 0x9c8f_2d3b;
 
-/// Point number `index`, below [`POINTS`], of the sequence that is scrambled by `seed`, in [0, 1)^2.
-///
-/// A scramble flips each digit by what the digits before it are. Here the first digit stands lowest, so that adding and
-/// multiplying carry from digits to those after them, and to no others.
-pub fn point(index: u32, seed: u32) -> [f64; 2] {
-    let shuffled = owen_scramble_rev(index.reverse_bits(), hash(seed ^ ORDER)).reverse_bits();
-    let number = shuffled % POINTS;
-    let axes = [number, pascal(number)];
-    let at = |axis: usize| {
-        let flips = hash(seed.wrapping_mul(SPREAD) ^ AXES[axis]);
-        let digits = owen_scramble_rev(axes[axis], flips);
-        f64::from(u32_to_f32_norm(digits.reverse_bits()))
-    };
-    [at(0), at(1)]
+/// A sequence that is scrambled: what its points have in common.
+#[derive(Clone, Copy, Debug)]
+pub struct Scramble {
+    order: u32,
+    axes: [u32; 2],
+}
+
+impl Scramble {
+    /// The scramble that `seed` chooses.
+    pub fn new(seed: u32) -> Self {
+        Self {
+            order: hash(seed ^ ORDER),
+            axes: AXES.map(|axis| hash(seed.wrapping_mul(SPREAD) ^ axis)),
+        }
+    }
+
+    /// Point number `index`, below [`POINTS`], of the sequence, in [0, 1)^2.
+    ///
+    /// A scramble flips each digit by what the digits before it are. Here the first digit stands lowest, so that adding
+    /// and multiplying carry from digits to those after them, and to no others.
+    #[inline]
+    pub fn point(self, index: u32) -> [f64; 2] {
+        let shuffled = owen_scramble_rev(index.reverse_bits(), self.order).reverse_bits();
+        let number = shuffled % POINTS;
+        let at = |axis: u32, flips: u32| {
+            let digits = owen_scramble_rev(axis, flips);
+            f64::from(u32_to_f32_norm(digits.reverse_bits()))
+        };
+        [at(number, self.axes[0]), at(pascal(number), self.axes[1])]
+    }
 }
 
 /// Pascal's triangle modulo 2 times the lower 16 bits of `x`.
@@ -52,7 +68,11 @@ mod tests {
             let (index, seed) = ((chance as u32) >> (chance >> 60), (chance >> 32) as u32);
             let index = index % POINTS;
             let [x, y, ..] = sobol_burley::sample_4d(index, 0, seed);
-            assert_eq!(point(index, seed), [x, y].map(f64::from), "{index} {seed}");
+            assert_eq!(
+                Scramble::new(seed).point(index),
+                [x, y].map(f64::from),
+                "{index} {seed}"
+            );
         }
     }
 }

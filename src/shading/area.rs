@@ -33,14 +33,33 @@ pub struct Area {
 /// What a point can be chosen on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
-    /// A parallelogram: the corner, and the edges that leave it.
-    Parallelogram(DVec3, DVec3, DVec3),
+    /// A parallelogram.
+    Parallelogram(Parallelogram),
     /// A disc.
     Disc(Disc),
     /// A sphere.
     Sphere(Sphere),
-    /// Triangles, each with the area of those before it and its own.
-    Mesh(Vec<(Triangle, f64)>),
+    /// Triangles.
+    Mesh(Vec<Piece>),
+}
+
+/// A corner, and the edges that leave it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parallelogram {
+    corner: DVec3,
+    edges: [DVec3; 2],
+    /// Unit.
+    normal: DVec3,
+}
+
+/// One of many triangles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    triangle: Triangle,
+    /// Unit.
+    normal: DVec3,
+    /// The area of those before it and its own.
+    sum: f64,
 }
 
 /// A point of a light.
@@ -56,6 +75,7 @@ impl Point {
     /// The unit direction to it from `from`, and how far a shadow ray has to go. The ray's end must lie before the
     /// light, or the light would stand in its own way: it is as far off the surface as the next ray's origin would be,
     /// for the errors at both ends of the ray, and of the light's own corners, which may be far from both.
+    #[inline]
     fn way_from(&self, from: DVec3, reach: f64) -> Option<(DVec3, f64)> {
         let reach = self.at.abs().max(from.abs()).max_element().max(reach);
         let error = DVec3::splat(gamma(128) * reach);
@@ -78,8 +98,14 @@ impl Area {
             [Shape::Triangle(s), Shape::Triangle(t)] if parallelogram(s, t) => {
                 let [a, b, c] = s.corners;
                 // The halves are a b c and a c d: the edges leave b.
-                let (u, v) = (a - b, c - b);
-                (Form::Parallelogram(b, u, v), u.cross(v).length())
+                let edges = [a - b, c - b];
+                let across = edges[0].cross(edges[1]);
+                let form = Parallelogram {
+                    corner: b,
+                    edges,
+                    normal: across.try_normalize()?,
+                };
+                (Form::Parallelogram(form), across.length())
             }
             _ => mesh(shapes)?,
         };
@@ -100,6 +126,7 @@ impl Area {
     /// The light as `point` sees it at the place that `u` in [0, 1)^2 chooses: direction and distance to that place,
     /// and what arrives from there if nothing stands between, as a share of the mean. `None` if the light is seen from
     /// its edge there.
+    #[inline]
     pub fn sample(&self, point: DVec3, u: [f64; 2]) -> Option<Illumination> {
         let chosen = self.point(point, u)?;
         let (direction, distance) = chosen.way_from(point, self.reach)?;
@@ -120,11 +147,12 @@ impl Area {
     /// too small nor too low for that.
     pub fn projected(&self, point: DVec3, normal: DVec3) -> Option<Projected> {
         match &self.form {
-            Form::Parallelogram(a, u, v) => {
+            Form::Parallelogram(Parallelogram { corner, edges, .. }) => {
+                let ([u, v], a) = (edges, corner);
                 Projected::new(point, normal, &[*a, a + u, a + u + v, a + v])
             }
-            Form::Mesh(triangles) if triangles.len() == 1 => {
-                Projected::new(point, normal, &triangles[0].0.corners)
+            Form::Mesh(pieces) if pieces.len() == 1 => {
+                Projected::new(point, normal, &pieces[0].triangle.corners)
             }
             Form::Mesh(_) | Form::Disc(_) | Form::Sphere(_) => None,
         }
@@ -139,14 +167,13 @@ impl Area {
         u: [f64; 2],
     ) -> Option<Illumination> {
         let (corner, across) = match &self.form {
-            Form::Parallelogram(corner, u, v) => (*corner, u.cross(*v)),
-            Form::Mesh(triangles) => {
-                let [a, b, c] = triangles.first()?.0.corners;
-                (a, (b - a).cross(c - a))
+            Form::Parallelogram(whole) => (whole.corner, whole.normal),
+            Form::Mesh(pieces) => {
+                let piece = pieces.first()?;
+                (piece.triangle.corners[0], piece.normal)
             }
             Form::Disc(_) | Form::Sphere(_) => return None,
         };
-        let across = across.try_normalize()?;
         // Where the way meets the light's plane.
         let way = seen.direction(u);
         let t = across.dot(corner - point) / across.dot(way);
@@ -169,11 +196,12 @@ impl Area {
     }
 
     /// A point of the light.
+    #[inline]
     fn point(&self, from: DVec3, [u, v]: [f64; 2]) -> Option<Point> {
         match &self.form {
-            Form::Parallelogram(corner, e, f) => Some(Point {
-                at: corner + u * e + v * f,
-                normal: e.cross(*f).try_normalize()?,
+            Form::Parallelogram(whole) => Some(Point {
+                at: whole.corner + u * whole.edges[0] + v * whole.edges[1],
+                normal: whole.normal,
                 area: self.area,
             }),
             Form::Disc(disc) => Some(Point {
@@ -181,17 +209,17 @@ impl Area {
                 normal: disc.frame.w,
                 area: self.area,
             }),
-            Form::Mesh(triangles) => {
+            Form::Mesh(pieces) => {
                 // u chooses the triangle, by area, and then what is left of it a place in the triangle.
                 let target = u * self.area;
-                let number = triangles.partition_point(|(_, sum)| *sum <= target);
-                let number = number.min(triangles.len() - 1);
-                let before = number.checked_sub(1).map_or(0.0, |n| triangles[n].1);
-                let (triangle, sum) = &triangles[number];
-                let rest = ((target - before) / (sum - before)).clamp(0.0, 1.0);
+                let number = pieces.partition_point(|piece| piece.sum <= target);
+                let number = number.min(pieces.len() - 1);
+                let before = number.checked_sub(1).map_or(0.0, |n| pieces[n].sum);
+                let piece = &pieces[number];
+                let rest = ((target - before) / (piece.sum - before)).clamp(0.0, 1.0);
                 Some(Point {
-                    at: in_triangle(triangle, rest, v),
-                    normal: triangle.normal()?,
+                    at: in_triangle(&piece.triangle, rest, v),
+                    normal: piece.normal,
                     area: self.area,
                 })
             }
@@ -271,13 +299,20 @@ fn parallelogram(s: &Triangle, t: &Triangle) -> bool {
 
 /// The triangles of a mesh and the sides of a box, with the sum of their areas.
 fn mesh(shapes: &[Shape]) -> Option<(Form, f64)> {
-    let (mut triangles, mut sum) = (Vec::with_capacity(shapes.len()), 0.0);
+    let (mut pieces, mut sum) = (Vec::with_capacity(shapes.len()), 0.0);
     let mut add = |corners: [DVec3; 3]| {
         let [a, b, c] = corners;
+        let triangle = Triangle { corners };
         let area = (b - a).cross(c - a).length() / 2.0;
-        if area > 0.0 {
+        if area > 0.0
+            && let Some(normal) = triangle.normal()
+        {
             sum += area;
-            triangles.push((Triangle { corners }, sum));
+            pieces.push(Piece {
+                triangle,
+                normal,
+                sum,
+            });
         }
     };
     for shape in shapes {
@@ -293,5 +328,5 @@ fn mesh(shapes: &[Shape]) -> Option<(Form, f64)> {
             _ => return None,
         }
     }
-    Some((Form::Mesh(triangles), sum))
+    Some((Form::Mesh(pieces), sum))
 }

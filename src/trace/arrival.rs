@@ -7,8 +7,9 @@ use crate::math::{Ray, Rgb};
 use crate::probe::RayKind;
 use crate::scene::Object;
 use crate::shading::{Illumination, Interaction, Material, optics};
+use crate::tracer::area::AreaView;
 use crate::tracer::boundary;
-use crate::tracer::lights::{Asker, Surface, illumination, seen};
+use crate::tracer::lights::{Asker, Surface, illumination};
 
 /// A solid that is met again after this part of the coordinates has not really been left.
 const CLOSE: f64 = 1e-6;
@@ -100,18 +101,12 @@ impl<'a> View<'a> {
         scene.lights.get(light.0 as usize)?;
         let (asker, at) = (self.asker(node), &arrival.at);
         let surface = Surface::new(at, arrival.material);
-        let projected = seen(scene, self.settings, &surface, light.0);
-        let seen = illumination(
-            scene,
-            self.settings,
-            asker,
-            (at, projected.as_deref()),
-            light,
-        )?;
+        let area = AreaView::new(scene, self.settings, asker, &surface, light.0);
+        let seen = illumination(scene, (at, area.as_ref()), light)?;
         let r = optics::reflect(-seen.direction, arrival.at.normal);
         Some(Lighting {
             light: seen,
-            projected: projected.map(|p| p.area),
+            projected: area.and_then(|area| area.projected()),
             n_dot_l: arrival.at.normal.dot(seen.direction),
             r_dot_v: r.dot(arrival.at.to_viewer),
             kd: surface.diffuse,
@@ -122,7 +117,8 @@ impl<'a> View<'a> {
     pub fn projected(self, node: u32, light: u32) -> Option<f64> {
         let arrival = self.arrival(node)?;
         let surface = Surface::new(&arrival.at, arrival.material);
-        seen(&self.world.scene, self.settings, &surface, light).map(|polygon| polygon.area)
+        let asker = self.asker(node);
+        AreaView::new(&self.world.scene, self.settings, asker, &surface, light)?.projected()
     }
 
     /// Who asks at the hit of a node: its pixel, its sample and its path from the eye.

@@ -6,7 +6,8 @@
 
 use std::ops::Range;
 
-use super::lights::{Asker, Question, Surface, question, samples, seen};
+use super::area::AreaView;
+use super::lights::{Asker, Question, Surface, question, samples};
 use super::samples::{Place, place};
 use super::shadow::Shadow;
 use super::tile::Tile;
@@ -133,8 +134,7 @@ impl Foresight {
                 let ask = (settings, place.asker, number);
                 ask_area(scene, ask, &surface, &mut self.shadow, (first, asked));
             } else {
-                let question =
-                    question(scene, settings, place.asker, (&surface, None), (number, 0));
+                let question = question(scene, settings, (&surface, None), (number, 0));
                 asked[0] = Some(foresee(&mut self.shadow, question, first));
             }
         }
@@ -176,10 +176,9 @@ fn ask_area(
     shadow: &mut Shadow,
     (first, asked): (usize, &mut [Option<Asked>]),
 ) {
-    let projected = seen(scene, settings, surface, light);
-    let facing = (surface, projected.as_deref());
+    let area = AreaView::new(scene, settings, asker, surface, light);
     for ((sample, index), asked) in (0..).zip(first..).zip(asked) {
-        let question = question(scene, settings, asker, facing, (light, sample));
+        let question = question(scene, settings, (surface, area.as_ref()), (light, sample));
         *asked = Some(foresee(shadow, question, index));
     }
 }

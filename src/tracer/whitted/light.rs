@@ -4,12 +4,13 @@ use super::{Path, Tracer};
 use crate::math::Rgb;
 use crate::probe::{Absence, Event, Probe, RayKind, RaySent, Term};
 use crate::scene::Effect;
-use crate::shading::{Projected, optics, phong};
+use crate::shading::{optics, phong};
+use crate::tracer::area::AreaView;
 use crate::tracer::foresight::Asked;
 use crate::tracer::lights::{self, Question, Surface};
 
-/// A place, and how it sees the light in question.
-type Facing<'s> = (&'s Surface<'s>, Option<&'s Projected>);
+/// A place, and how it sees the light in question, if that is an area.
+type Facing<'s> = (&'s Surface<'s>, Option<&'s AreaView<'s>>);
 
 impl<P: Probe> Tracer<'_, P> {
     /// One light: a shadow ray to it, many to an area, and for each that arrives the diffuse and the specular term.
@@ -28,11 +29,11 @@ impl<P: Probe> Tracer<'_, P> {
     fn area_light(&mut self, sum: &mut Rgb, path: &Path, surface: &Surface, light: u32) {
         let settings = self.settings;
         let samples = settings.rays_to_area();
-        let projected = lights::seen(&self.world.scene, settings, surface, light);
-        let facing = (surface, projected.as_deref());
+        let area = AreaView::new(&self.world.scene, settings, path.asker, surface, light);
+        let facing = (surface, area.as_ref());
         if samples > 1 {
             if !P::LISTENS && settings.effects.has(Effect::Shadows) {
-                return self.light_in_a_bundle(sum, path, facing, light, samples);
+                return self.light_in_a_bundle(sum, facing, light, samples);
             }
             self.probe.event(Event::Bundle { light, samples });
         }
@@ -55,7 +56,7 @@ impl<P: Probe> Tracer<'_, P> {
         if self.no_more_light(light.0) {
             return false;
         }
-        if let Some(question) = self.question(path, facing, light)
+        if let Some(question) = self.question(facing, light)
             && !self.shadowed(path, light, &question)
         {
             self.lit(sum, facing.0, light, &question);
@@ -87,21 +88,14 @@ impl<P: Probe> Tracer<'_, P> {
 
     /// The same with all shadow rays asked together.
     #[inline(never)]
-    fn light_in_a_bundle(
-        &mut self,
-        sum: &mut Rgb,
-        path: &Path,
-        facing: Facing,
-        light: u32,
-        count: u32,
-    ) {
+    fn light_in_a_bundle(&mut self, sum: &mut Rgb, facing: Facing, light: u32, count: u32) {
         let mut bundle = std::mem::take(&mut self.bundle);
         bundle.questions.clear();
         for sample in 0..count {
             if self.no_more_light(light) {
                 break;
             }
-            let question = self.question(path, facing, (light, sample));
+            let question = self.question(facing, (light, sample));
             bundle.questions.extend(question.map(|q| (sample, q)));
         }
         bundle.answer(self.world);
@@ -114,10 +108,10 @@ impl<P: Probe> Tracer<'_, P> {
     }
 
     /// What is to be asked of a sample of a light, if anything.
-    fn question(&mut self, path: &Path, facing: Facing, light: (u32, u32)) -> Option<Question> {
+    fn question(&mut self, facing: Facing, light: (u32, u32)) -> Option<Question> {
         let scene = &self.world.scene;
         self.spent += 1;
-        match lights::question(scene, self.settings, path.asker, facing, light) {
+        match lights::question(scene, self.settings, facing, light) {
             Ok(question) => {
                 self.rays += u64::from(self.settings.effects.has(Effect::Shadows));
                 Some(question)
