@@ -163,8 +163,9 @@ impl<'a, P: Probe> Tracer<'a, P> {
         self.done(sum)
     }
 
-    /// The reflected ray, if there is one: adds Wr radiance(R).
-    #[inline]
+    /// The reflected ray, if there is one: adds Wr radiance(R). (Always inlined, and [`Tracer::follow`] as well: that there are
+    /// transmitted rays, too, must cost nothing where surfaces are opaque.)
+    #[inline(always)]
     fn reflect(&mut self, sum: &mut Rgb, path: &Path, at: &Interaction, weight: Rgb) {
         let kind = RayKind::Reflected;
         if weight.is_black() {
@@ -215,6 +216,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
     }
 
     /// Follows a secondary ray that physics allows, unless a limit forbids it: adds weight x its radiance.
+    #[inline(always)]
     fn follow(
         &mut self,
         sum: &mut Rgb,
