@@ -7,9 +7,10 @@ use std::time::Instant;
 
 use raytree::accel::AccelKind;
 use raytree::probe::Silent;
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::trace::Counts;
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 /// Pixels of the frame for each pixel that is drawn, along an edge.
 const STRIDE: u32 = 16;

@@ -10,9 +10,10 @@ use std::time::Instant;
 
 use raytree::accel::AccelKind;
 use raytree::probe::Silent;
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::trace::Counts;
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 use table::{markdown, median, publish};
 

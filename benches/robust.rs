@@ -17,7 +17,8 @@ use raytree::geometry::{Intersection, Shear, Sphere, Triangle};
 use raytree::lab::{Effort, Knob, Lab, knobs};
 use raytree::math::sampler::{mix, unit};
 use raytree::math::{DVec3, Interval, Ray};
-use raytree::scene::{Sampling, Settings, World, load};
+use raytree::scene::{Sampling, Settings, load};
+use raytree::world::World;
 
 use table::{markdown, median, publish};
 

@@ -16,8 +16,9 @@ use raytree::lab::Reference;
 use raytree::lab::error::errors;
 use raytree::math::{LightSampling, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings, World};
+use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings};
 use raytree::tracer::{Film, Flow, render};
+use raytree::world::World;
 
 use table::{markdown, median, publish};
 

@@ -25,3 +25,4 @@ pub mod lab;
 pub mod cli;
 
 pub mod tui;
+pub mod world;

@@ -5,7 +5,6 @@
 
 pub mod builtin;
 pub mod camera;
-mod company;
 pub mod effects;
 pub mod error;
 pub mod file;
@@ -23,13 +22,10 @@ pub mod sampling;
 pub mod settings;
 mod sketch;
 mod slanted;
-mod solids;
 mod spd;
 mod warnings;
-mod world;
 
 pub use camera::Camera;
-pub use company::Company;
 pub use effects::{Effect, Effects};
 pub use error::SceneError;
 pub use flags::flags;
@@ -37,7 +33,6 @@ pub use generated::list as generated;
 pub use load::{list, load, load_held};
 pub use sampling::{Adaptive, Pilot, Sampling};
 pub use settings::{Budget, Settings};
-pub use world::{Room, World};
 
 use crate::geometry::{Arithmetic, Hit, Shape};
 use crate::math::{DVec2, DVec3, Ray, Rgb};

@@ -25,8 +25,9 @@ pub use pick::{Seen, seen};
 pub use recorder::Recorder;
 pub use tree::{Node, Outcome, RayTree};
 
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
 use crate::tracer::{Pixel, on_threads, pixel};
+use crate::world::World;
 
 /// A recorded pixel.
 #[derive(Clone, Debug)]

@@ -5,7 +5,6 @@
 
 pub mod area;
 pub mod around;
-pub mod boundary;
 pub mod film;
 pub mod foresight;
 pub mod lights;

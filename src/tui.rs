@@ -35,8 +35,9 @@ use std::time::{Duration, Instant};
 
 use crossterm::event;
 
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
 use crate::tracer::picture::ColorLevel;
+use crate::world::World;
 use app::{App, Wish};
 use terminal::Screen;
 

@@ -10,10 +10,11 @@ use raytree::accel::AccelKind;
 use raytree::geometry::{Aabb, Cuboid, Disc, Shape, Sphere, Triangle};
 use raytree::math::points::Run;
 use raytree::math::{DVec3, LightSampling, Rgb, Sampler};
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::shading::Area;
 use raytree::shading::area::Form;
 use raytree::trace::{View, trace_pixel};
+use raytree::world::World;
 
 /// Every sampler that has chance in it hits the true value: |z| < 4.3, which one honest test in 10^5 exceeds; there
 /// are about 60. (1e-9 is what single-precision points may add.)

@@ -5,9 +5,10 @@ use std::process::Command;
 use raytree::accel::AccelKind;
 use raytree::geometry::{Arithmetic, Offset, Precision, Quadratic, TriangleTest};
 use raytree::probe::{Event, Silent};
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::trace::{View, trace_pixel};
 use raytree::tracer::{Film, Flow, render};
+use raytree::world::World;
 
 const NONE: Arithmetic = Arithmetic {
     triangle: TriangleTest::Watertight,

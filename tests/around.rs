@@ -4,8 +4,9 @@ use raytree::accel::AccelKind;
 use raytree::math::sampler::mix;
 use raytree::math::{LightSampling, Rgb, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings, World};
+use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings};
 use raytree::tracer::{Film, Flow, pixel, render};
+use raytree::world::World;
 
 /// A floor that sees a tenth of a lamp covered, everywhere in the picture: the screen ends at x = 0.4 before a lamp twice
 /// as far away that ends at x = 1.

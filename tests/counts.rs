@@ -6,9 +6,10 @@
 use std::fmt::Write;
 
 use raytree::accel::AccelKind;
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::trace::Counts;
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 /// Lines of scene, accelerator, rays, nodes and tests, at 80x60 pixels and else as the scene wants it.
 const FIGURES: &str = include_str!("counts.txt");

@@ -9,9 +9,10 @@ use raytree::scene::effects::Effect::{
     self, Highlights, Reflection, Refraction, Shadows, SoftShadows,
 };
 use raytree::scene::effects::{Effects, effects, findings};
-use raytree::scene::{self, Scene, Settings, World};
+use raytree::scene::{self, Scene, Settings};
 use raytree::trace::Counts;
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 fn small(scene: &Scene, effects: Effects) -> Settings {
     Settings {

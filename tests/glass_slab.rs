@@ -6,8 +6,9 @@
 
 use raytree::accel::AccelKind;
 use raytree::probe::Silent;
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::tracer::pixel;
+use raytree::world::World;
 
 /// Of one face, n = 1.5.
 const R: f64 = 0.04;

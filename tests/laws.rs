@@ -10,9 +10,10 @@ use std::collections::HashMap;
 use std::process::Command;
 
 use raytree::probe::Silent;
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::trace::{View, json, trace_pixel};
 use raytree::tracer::{Film, Flow, render};
+use raytree::world::World;
 use serde_json::Value;
 
 type V = [f64; 3];

@@ -7,8 +7,9 @@ use std::f64::consts::PI;
 
 use floor::{LAMP, floor, irradiance, load, polygon, runs, settings};
 use raytree::math::{DVec3, LightSampling, Sampler};
-use raytree::scene::{Settings, World};
+use raytree::scene::Settings;
 use raytree::trace::{View, trace_pixel};
+use raytree::world::World;
 
 /// Every way of sampling, with its irradiance at one place.
 fn ways(world: &World) -> impl Iterator<Item = (Sampler, LightSampling, f64)> {

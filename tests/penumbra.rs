@@ -7,8 +7,9 @@ use std::f64::consts::TAU;
 
 use floor::{EDGE, How, LAMP, SQUARE, floor, irradiance, part, polygon, runs, settings};
 use raytree::math::{DVec3, LightSampling, Sampler};
-use raytree::scene::{Settings, World};
+use raytree::scene::Settings;
 use raytree::trace::{View, trace_pixel};
+use raytree::world::World;
 
 /// Lit and blocked samples of the one bundle of the floor.
 fn bundle(world: &World, settings: &Settings) -> (f64, f64) {

@@ -3,9 +3,10 @@
 use raytree::accel::AccelKind;
 use raytree::math::{Filter, LightSampling, Rgb, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings, World};
+use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings};
 use raytree::trace::{Counts, ledger, trace_pixel};
 use raytree::tracer::{Film, Flow, render};
+use raytree::world::World;
 
 fn film(world: &World, settings: &Settings, threads: usize) -> Film {
     render::<Silent>(world, settings, threads, &|_, _| Flow::Continue).0

@@ -6,9 +6,10 @@ use raytree::accel::AccelKind;
 use raytree::lab::until::{End, until};
 use raytree::math::Rgb;
 use raytree::probe::Silent;
-use raytree::scene::{self, Sampling, Settings, World};
+use raytree::scene::{self, Sampling, Settings};
 use raytree::trace::trace_pixel;
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 use serde_json::Value;
 
 struct Ran {

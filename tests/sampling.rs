@@ -7,8 +7,9 @@ use raytree::math::sampler::{mix, unit};
 use raytree::math::{DVec3, Filter, Rgb, Sampler};
 use raytree::probe::Silent;
 use raytree::scene::camera::Camera;
-use raytree::scene::{self, Adaptive, Pilot, Sampling, Scene, Settings, World};
+use raytree::scene::{self, Adaptive, Pilot, Sampling, Scene, Settings};
 use raytree::tracer::{Pixel, pixel};
+use raytree::world::World;
 
 /// A half-plane x < 0 that shines with radiance 1 before black: an edge.
 const EDGE: &str = r#"{

@@ -4,8 +4,9 @@ use std::collections::HashSet;
 
 use raytree::geometry::Shape;
 use raytree::probe::{Absence, Event, Probe};
-use raytree::scene::{Scene, World, builtin, file, list, load};
+use raytree::scene::{Scene, builtin, file, list, load};
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 fn each() -> impl Iterator<Item = (&'static str, Scene)> {
     builtin::names().map(|name| {

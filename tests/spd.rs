@@ -7,8 +7,9 @@
 //! that is stated with each.
 
 use raytree::probe::{Event, Probe, RayKind};
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 /// How many rays of each sort there were.
 #[derive(Clone, Copy, Debug, Default)]

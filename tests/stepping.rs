@@ -7,10 +7,11 @@ use std::time::{Duration, Instant};
 use proptest::prelude::*;
 use raytree::math::{DVec3, Rgb};
 use raytree::probe::{Event, NONE, Probe, RayKind, RaySent};
-use raytree::scene::{self, Settings, World};
+use raytree::scene::{self, Settings};
 use raytree::trace::{
     Cursor, PixelTrace, RayTree, Recorder, View, explain, json, ledger, trace_pixel,
 };
+use raytree::world::World;
 
 fn traced(name: &str, at: (u32, u32), depth: u32) -> (World, Settings, PixelTrace) {
     let scene = scene::load(name).expect("a built-in scene");

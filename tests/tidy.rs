@@ -4,9 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up: a file may use its own layer and those before it.
-const LAYERS: [&str; 11] = [
-    "math", "geometry", "probe", "accel", "shading", "scene", "tracer", "trace", "lab", "cli",
-    "tui",
+const LAYERS: [&str; 12] = [
+    "math", "geometry", "probe", "accel", "shading", "scene", "world", "tracer", "trace", "lab",
+    "cli", "tui",
 ];
 
 /// The faces: only they may talk to a user. Each may use all the rest.
@@ -102,7 +102,7 @@ fn the_rule_of_layers_can_fail() {
         used(&code(
             "use crate::trace::tree;\nfn f() { crate::math::g() }"
         )),
-        [7, 0]
+        [8, 0]
     );
     assert!(used(&code("// use crate::trace")).is_empty());
 }

@@ -6,9 +6,10 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
-use raytree::scene::{VertexData, World, load};
+use raytree::scene::{VertexData, load};
 use raytree::tracer::picture::ColorLevel;
 use raytree::tui::{Options, run};
+use raytree::world::World;
 
 /// How long anything may take before a test gives up.
 const PATIENCE: Duration = Duration::from_secs(30);

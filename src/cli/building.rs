@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::accel::AccelKind;
-use crate::scene::{Scene, World};
+use crate::scene::Scene;
+use crate::world::World;
 
 /// What takes no longer than this is not worth a word.
 const SHORT: Duration = Duration::from_millis(300);

@@ -20,7 +20,8 @@ use crate::lab::{
     Effort, Knob, Lab, Price, Reference, Strip, Sweep, affordable, knobs, plot, strip,
 };
 use crate::scene::limits::MAX_SECONDS;
-use crate::scene::{Sampling, Settings, World, flags};
+use crate::scene::{Sampling, Settings, flags};
+use crate::world::World;
 
 /// The size of the pictures if none is asked for: small, since many are rendered.
 const SIZE: (u32, u32) = (120, 90);

@@ -19,10 +19,11 @@ use super::{ColorArg, Done, Failure, again, output};
 use crate::accel::fastest;
 use crate::lab::until::{self, End, Found};
 use crate::probe::Silent;
-use crate::scene::{Sampling, Settings, World};
+use crate::scene::{Sampling, Settings};
 use crate::trace::Counts;
 use crate::tracer::picture::text;
 use crate::tracer::{Film, Flow, render};
+use crate::world::World;
 
 /// What is said when a limit cut a picture short.
 pub const CUT: &str = "stopped at a limit: some rays were left out to bound the work, so the result is not all that \

@@ -12,8 +12,9 @@ use crate::accel::fastest;
 use crate::geometry::{Arithmetic, Offset, Precision, Quadratic, Shape, TriangleTest};
 use crate::math::{LightSampling, Sampler};
 use crate::scene::effects::effects;
-use crate::scene::{Effect, Scene, Settings, World, limits};
+use crate::scene::{Effect, Scene, Settings, limits};
 use crate::shading::Fresnel;
+use crate::world::World;
 
 /// What decides on the accelerator if the user does not.
 pub type Decide = fn(&[Shape]) -> AccelKind;

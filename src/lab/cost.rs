@@ -10,9 +10,10 @@ use super::robust;
 use crate::accel::{Accel, AccelKind};
 use crate::geometry::Arithmetic;
 use crate::probe::{Probe, Silent};
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
 use crate::trace::Counts;
 use crate::tracer::{Film, Flow, render};
+use crate::world::World;
 
 /// One position of a knob, measured.
 #[derive(Clone, Debug)]

@@ -5,9 +5,10 @@ use std::time::Instant;
 use super::knobs::{Knob, knobs};
 use crate::math::Sampler;
 use crate::probe::Silent;
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
 use crate::trace::Counts;
 use crate::tracer::{Flow, render};
+use crate::world::World;
 
 /// How many samples are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

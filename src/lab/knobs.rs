@@ -5,7 +5,8 @@ use super::robust;
 use crate::accel::AccelKind;
 use crate::math::{LightSampling, Sampler};
 use crate::scene::effects::{Effect, effects};
-use crate::scene::{Adaptive, Pilot, Sampling, Settings, World, limits};
+use crate::scene::{Adaptive, Pilot, Sampling, Settings, limits};
+use crate::world::World;
 
 /// What is added to the seed of a reference, so that it shares no random number with what it judges.
 const OTHER_SEED: u64 = 0x5eed_0f7e;

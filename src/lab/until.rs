@@ -8,8 +8,9 @@
 use std::time::Instant;
 
 use crate::probe::Silent;
-use crate::scene::{Sampling, Settings, World, limits};
+use crate::scene::{Sampling, Settings, limits};
 use crate::tracer::{Film, Flow, render};
+use crate::world::World;
 
 /// Sets of a try: enough to tell how much they differ, and few, since samples of one set complete each other.
 pub const SETS: u32 = 8;

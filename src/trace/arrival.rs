@@ -8,8 +8,8 @@ use crate::probe::RayKind;
 use crate::scene::Object;
 use crate::shading::{Illumination, Interaction, Material, optics};
 use crate::tracer::area::AreaView;
-use crate::tracer::boundary;
 use crate::tracer::lights::{Asker, Surface, illumination};
+use crate::world::interface;
 
 /// A solid that is met again after this part of the coordinates has not really been left.
 const CLOSE: f64 = 1e-6;

@@ -1,7 +1,8 @@
 //! What a pixel looks at, without following any light: one ray and its first hit.
 
 use crate::probe::Silent;
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
+use crate::world::World;
 
 /// What stands behind the middle of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]

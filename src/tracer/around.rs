@@ -14,7 +14,8 @@ use super::sampled::Sampled;
 use super::tile::TILE;
 use super::whitted::Tracer;
 use crate::probe::Silent;
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
+use crate::world::World;
 
 /// How far away the pixels are that are asked, along both axes: 24 of them inside a tile.
 const NEAR: u32 = 2;

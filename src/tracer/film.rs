@@ -9,7 +9,8 @@ use super::stack::on_threads;
 use super::tile::{Tile, tiles};
 use crate::math::Rgb;
 use crate::probe::Probe;
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
+use crate::world::World;
 
 /// A rendered picture in linear radiance.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -14,8 +14,9 @@ use super::tile::Tile;
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
 use crate::probe::Absence;
-use crate::scene::{Effect, Scene, Settings, World};
+use crate::scene::{Effect, Scene, Settings};
 use crate::shading::Interaction;
+use crate::world::World;
 
 /// The edge of the blocks in which a tile's rays are put side by side: a block's rays make one bundle.
 const BLOCK: u32 = 4;

@@ -4,8 +4,9 @@ use super::area::AreaView;
 use super::shadow::Shadow;
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::Absence;
-use crate::scene::{Scene, Settings, World};
+use crate::scene::{Scene, Settings};
 use crate::shading::{Illumination, Interaction, Material};
+use crate::world::World;
 
 /// Who asks: each has points on the lights of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

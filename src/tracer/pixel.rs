@@ -5,7 +5,8 @@ use super::sampled::Sampled;
 use super::whitted::Tracer;
 use crate::math::Rgb;
 use crate::probe::{Probe, Silent};
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
+use crate::world::World;
 
 /// A traced pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]

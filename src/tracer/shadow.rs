@@ -2,7 +2,7 @@
 
 use crate::accel::RAYS;
 use crate::math::{DVec3, Interval, Ray};
-use crate::scene::World;
+use crate::world::World;
 
 /// Rays that are put in order together: more would start too far from each other.
 const SORTED: usize = 1 << PLACE;

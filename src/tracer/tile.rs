@@ -7,7 +7,8 @@ use super::pixel::{of_count, sampled};
 use super::sampled::Sampled;
 use super::whitted::Tracer;
 use crate::probe::{Probe, Silent};
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
+use crate::world::World;
 
 /// The edge of a tile in pixels: rays that are neighbours in the picture are neighbours in the scene.
 pub const TILE: u32 = 16;

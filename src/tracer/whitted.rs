@@ -6,14 +6,16 @@ mod arrive;
 mod light;
 mod split;
 
-use super::boundary::Change;
 use super::foresight::Foreseen;
 use super::lights::{Asker, Bundle, Surface};
 use crate::geometry::Hit;
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
-use crate::scene::{Budget, Company, Effect, Room, Settings, World};
-use crate::shading::{Entered, Interaction, Material, optics, phong};
+use crate::scene::{Budget, Effect, Settings};
+use crate::shading::{Interaction, Material, optics, phong};
+use crate::world::Entered;
+use crate::world::interface::Change;
+use crate::world::{Company, Room, World};
 use arrive::Arrival;
 use split::Through;
 

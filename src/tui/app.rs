@@ -15,9 +15,10 @@ use super::picture::Picture;
 use super::renderer::{News, Renderer};
 use super::session::Session;
 use super::{details, help};
+use crate::scene::Settings;
 use crate::scene::effects::{Finding, findings};
-use crate::scene::{Settings, World};
 use crate::trace::Cursor;
+use crate::world::World;
 
 /// How long Enter waits for the tree before the screen is drawn and other keys have their turn: within a frame of 16 ms.
 const AT_ONCE: Duration = Duration::from_millis(10);

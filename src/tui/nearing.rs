@@ -17,8 +17,9 @@ use super::draw::write;
 use super::layout::{Panes, inside};
 use super::{picture_pane, theme};
 use crate::lab::front::fit;
-use crate::scene::{Effect, Sampling, Settings, World, limits};
+use crate::scene::{Effect, Sampling, Settings, limits};
 use crate::tracer::{Pixel, pixel_unless};
+use crate::world::World;
 
 /// Rays that one point may cost.
 const MOST_RAYS: u64 = 1 << 20;

@@ -12,8 +12,9 @@ use super::picture::Window;
 use super::session::Session;
 use crate::math::Rgb;
 use crate::probe::Silent;
-use crate::scene::{Settings, World};
+use crate::scene::Settings;
 use crate::tracer::{Pixel, on_threads, pixel};
+use crate::world::World;
 
 /// The sides of the blocks of the picture's passes.
 pub const BLOCKS: [u32; 5] = [16, 8, 4, 2, 1];

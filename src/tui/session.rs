@@ -7,8 +7,9 @@ use super::rows::Rows;
 use crate::geometry::Aabb;
 use crate::math::{DVec3, Ray};
 use crate::probe::{Event, RayKind};
-use crate::scene::{Scene, Settings, World};
+use crate::scene::{Scene, Settings};
 use crate::trace::{Cursor, Outcome, PixelTrace, RayTree, View, trace_pixel};
+use crate::world::World;
 
 /// Rays that the drawing of the path shows at most.
 pub const MAX_DRAWN: usize = 2000;

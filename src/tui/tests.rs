@@ -23,9 +23,9 @@ use super::layout::Pane;
 use super::mouse::Mouse;
 use crate::math::Rgb;
 use crate::probe::Silent;
-use crate::scene::World;
 use crate::tracer::picture::ColorLevel;
 use crate::tracer::pixel;
+use crate::world::World;
 
 fn app_with(width: u16, height: u16, change: impl FnOnce(&mut Options)) -> App {
     of_scene("whitted", width, height, change)

@@ -7,8 +7,9 @@ use std::f64::consts::PI;
 use raytree::accel::AccelKind;
 use raytree::math::{DVec3, LightSampling, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Scene, SceneError, Settings, World};
+use raytree::scene::{self, Scene, SceneError, Settings};
 use raytree::tracer::pixel;
+use raytree::world::World;
 
 /// A floor y = 0 with Kd = 1, seen at (x, 0, z) from below the lights, and these lights and other objects.
 pub fn floor(at: [f64; 2], lights: &str, objects: &str) -> World {

@@ -7,9 +7,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use raytree::accel::AccelKind;
 use raytree::math::Rgb;
 use raytree::probe::Silent;
-use raytree::scene::{Scene, SceneError, Settings, World, load_held};
+use raytree::scene::{Scene, SceneError, Settings, load_held};
 use raytree::trace::{PixelTrace, RayTree, Recorder, View, diagram, explain, json, ledger, text};
 use raytree::tracer::{Flow, pixel, render};
+use raytree::world::World;
 
 use super::memory::{Memory, counted};
 

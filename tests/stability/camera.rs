@@ -2,9 +2,10 @@
 
 use raytree::accel::AccelKind;
 use raytree::probe::Silent;
-use raytree::scene::{Sampling, Settings, World, load};
+use raytree::scene::{Sampling, Settings, load};
 use raytree::trace::trace_pixel;
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 /// A picture of a ball with this camera: its pixels, or the message.
 fn picture(camera: &str) -> Result<Vec<[f64; 3]>, String> {

@@ -4,9 +4,10 @@
 use raytree::accel::AccelKind;
 use raytree::math::DVec3;
 use raytree::probe::{Event, NONE, RayKind, Silent};
-use raytree::scene::{Camera, Settings, World};
+use raytree::scene::{Camera, Settings};
 use raytree::trace::{Outcome, PixelTrace, trace_pixel};
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 use super::support::{Mesh, count, scene};
 

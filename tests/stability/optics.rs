@@ -3,10 +3,11 @@
 use raytree::accel::AccelKind;
 use raytree::math::{DVec3, Rgb};
 use raytree::probe::{Absence, Event, RayKind, Silent};
-use raytree::scene::{Settings, World};
+use raytree::scene::Settings;
 use raytree::shading::optics::{Fresnel, reflect, refract};
 use raytree::trace::{Outcome, PixelTrace, trace_pixel};
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 use super::support::{Random, count, scene};
 

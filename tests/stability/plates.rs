@@ -11,7 +11,7 @@ use raytree::accel::AccelKind;
 use raytree::geometry::{Arithmetic, Hit, Offset};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::probe::Silent;
-use raytree::scene::World;
+use raytree::world::World;
 
 use super::oracle::{Side, line_in_triangle, side_of_plane};
 use super::support::{Random, bits, count, scene, towards};

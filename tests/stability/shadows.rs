@@ -4,10 +4,11 @@ use raytree::accel::{Accel, AccelKind};
 use raytree::geometry::{Aabb, Arithmetic, Cuboid, Offset, Shape, Sphere};
 use raytree::math::{DVec3, Interval, Ray, Rgb};
 use raytree::probe::Silent;
-use raytree::scene::{Settings, World};
+use raytree::scene::Settings;
 use raytree::shading::Interaction;
 use raytree::trace::trace_pixel;
 use raytree::tracer::{Flow, render};
+use raytree::world::World;
 
 use super::support::{Mesh, Random, count, scene};
 

@@ -4,9 +4,10 @@ use super::{Path, Tracer};
 use crate::geometry::Hit;
 use crate::math::Ray;
 use crate::probe::{Event, NONE, Probe};
-use crate::scene::Company;
-use crate::shading::{Entered, Interaction};
-use crate::tracer::boundary::{Boundary, Change};
+use crate::shading::Interaction;
+use crate::world::Company;
+use crate::world::Entered;
+use crate::world::interface::{Boundary, Change};
 
 /// Where a ray arrived.
 pub struct Arrival {

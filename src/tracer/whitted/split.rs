@@ -3,8 +3,9 @@
 use super::Tracer;
 use crate::math::{DVec3, Rgb};
 use crate::probe::{Absence, Event, Probe};
-use crate::shading::{Entered, Interaction, Material, optics};
-use crate::tracer::boundary::Change;
+use crate::shading::{Interaction, Material, optics};
+use crate::world::Entered;
+use crate::world::interface::Change;
 
 /// What a transparent surface does with a ray that arrived.
 pub struct Split {

@@ -1,8 +1,8 @@
 //! What has to be asked at the surface of an object to know the media there: as little as the scene allows.
 
-use super::Scene;
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
+use crate::scene::Scene;
 use crate::shading::Material;
 
 /// What an object has to do with media.

@@ -7,9 +7,9 @@ use std::cmp::Reverse;
 
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
-use crate::scene::{Room, World};
 use crate::shading::Interaction;
-use crate::shading::medium::{Crossing, Entered};
+use crate::world::medium::{Crossing, Entered};
+use crate::world::{Room, World};
 
 /// What a ray crosses at one place.
 #[derive(Clone, Copy, Debug)]

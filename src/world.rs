@@ -1,12 +1,20 @@
-//! What can be traced: a scene and the acceleration structure over it.
+//! What can be traced: a scene and the acceleration structure over it; and the media that its rays travel in.
 
-use super::company::{Company, company};
-use super::{Object, Scene, solids};
+mod closed;
+mod contact;
+pub mod interface;
+pub mod medium;
+
 use crate::accel::{Accel, AccelKind, Watch, crossings::second};
 use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Probe};
-use crate::shading::medium::{Crossing, Entered, medium};
+use crate::scene::{Object, Scene};
+use contact::company;
+use medium::medium;
+
+pub use contact::Company;
+pub use medium::{Crossing, Entered};
 
 /// A scene and the acceleration structure over it: what can be traced.
 #[derive(Clone, Debug)]
@@ -44,7 +52,7 @@ impl World {
         let is_medium = |o: &Object| scene.materials[o.material as usize].is_transmissive();
         let open = (0u32..)
             .zip(&scene.objects)
-            .map(|(i, o)| is_medium(o) && !solids::is_closed(scene.shapes_of(i)))
+            .map(|(i, o)| is_medium(o) && !closed::is_closed(scene.shapes_of(i)))
             .collect();
         let company = company(&scene);
         let mut world = Self {
