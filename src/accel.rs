@@ -35,7 +35,7 @@ pub use wide::Wide;
 
 use crate::geometry::{Hit, Intersection, Shape, Shear};
 use crate::math::{DVec3, Interval, Ray};
-use crate::probe::{Event, Probe, Verdict};
+use crate::probe::{Event, Probe, Verdict, tell};
 
 /// Is told from time to time which part of a structure stands, from 0 to 1: by those that are built part by part, `kd`
 /// and `wide` of large scenes.
@@ -324,11 +324,14 @@ impl<'a> Query<'a> {
             Intersection::Miss => (Verdict::Miss, f64::NAN),
         };
         if P::TRAVERSAL {
-            probe.event(Event::Test {
-                primitive,
-                verdict,
-                t,
-            });
+            tell!(
+                probe,
+                Event::Test {
+                    primitive,
+                    verdict,
+                    t,
+                }
+            );
         }
     }
 }

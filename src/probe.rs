@@ -8,6 +8,25 @@
 
 mod words;
 
+/// Parts of the program that builds for counting instructions leave out: what they cost others is what is counted.
+pub mod counting {
+    /// Transparent surfaces.
+    pub const REFRACTION: bool = cfg!(not(feature = "count-without-refraction"));
+    /// Lights with an area.
+    pub const AREAS: bool = cfg!(not(feature = "count-without-areas"));
+}
+
+/// Tells a probe of an event: `tell!(probe, Event::Miss)`. Nothing at all, the event included, in builds that count
+/// what probes cost.
+macro_rules! tell {
+    ($probe:expr, $event:expr $(,)?) => {
+        if cfg!(not(feature = "count-without-probe")) {
+            $probe.event($event)
+        }
+    };
+}
+pub(crate) use tell;
+
 use crate::geometry::Hit;
 use crate::math::{DVec3, Rgb};
 

@@ -8,7 +8,7 @@ pub mod medium;
 use crate::accel::{Accel, AccelKind, Watch, crossings::second};
 use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
-use crate::probe::{NONE, Probe};
+use crate::probe::{NONE, Probe, counting};
 use crate::scene::{Object, Scene};
 use contact::company;
 use medium::medium;
@@ -94,7 +94,7 @@ impl World {
     /// What has to be asked where a primitive is hit.
     #[inline]
     pub fn company(&self, primitive: u32) -> Company {
-        if self.has_media {
+        if counting::REFRACTION && self.has_media {
             self.company[self.scene.owners[primitive as usize] as usize]
         } else {
             Company::Away

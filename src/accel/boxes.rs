@@ -12,7 +12,7 @@ use super::slack::Slack;
 use super::{AccelStats, NodeView, Query};
 use crate::geometry::{Aabb, Hit, Shape};
 use crate::math::{DVec3, Interval, Ray};
-use crate::probe::{Choice, Event, NONE, Probe, Visit};
+use crate::probe::{Choice, Event, NONE, Probe, Visit, tell};
 
 /// How many nodes may wait at most while a ray is followed.
 pub const WAITING: usize = 160;
@@ -101,7 +101,10 @@ impl Boxes {
         let slack = self.slack.around(query.ray.origin);
         let Some(inside) = self.nodes[0].volume.clip(query, slack) else {
             if P::TRAVERSAL {
-                probe.event(step(0, query.interval, Choice::SkippedOutside, [NONE; 2]));
+                tell!(
+                    probe,
+                    step(0, query.interval, Choice::SkippedOutside, [NONE; 2])
+                );
             }
             return best;
         };
@@ -114,14 +117,14 @@ impl Boxes {
             // A hit at the very entry does not count: one beyond it may be as close and have the smaller id.
             if best.is_some_and(|hit| hit.t < inside.min) {
                 if P::TRAVERSAL {
-                    probe.event(step(id, inside, Choice::SkippedCloserHit, [NONE; 2]));
+                    tell!(probe, step(id, inside, Choice::SkippedCloserHit, [NONE; 2]));
                 }
                 continue;
             }
             let node = &self.nodes[id as usize];
             if node.leaf {
                 if P::TRAVERSAL {
-                    probe.event(step(id, inside, Choice::Leaf, [NONE; 2]));
+                    tell!(probe, step(id, inside, Choice::Leaf, [NONE; 2]));
                 }
                 if query.test_all::<ANY, P>(self.primitives(node), &mut best, probe) {
                     return best;
@@ -150,10 +153,10 @@ impl Boxes {
                         .nth_back(rank)
                         .map_or(NONE, |c| c.0)
                 };
-                probe.event(step(id, inside, Choice::Children, [met(0), met(1)]));
+                tell!(probe, step(id, inside, Choice::Children, [met(0), met(1)]));
                 for child in (0..node.count).filter(|child| missed >> child & 1 == 1) {
                     let choice = Choice::SkippedMissed;
-                    probe.event(step(node.first + child, inside, choice, [NONE; 2]));
+                    tell!(probe, step(node.first + child, inside, choice, [NONE; 2]));
                 }
             }
         }

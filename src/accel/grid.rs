@@ -12,7 +12,7 @@ use super::slack::Slack;
 use super::{AccelStats, NodeView, Query};
 use crate::geometry::{Aabb, Hit, Shape};
 use crate::math::{DVec3, Interval};
-use crate::probe::{Choice, Event, NONE, Probe, Visit};
+use crate::probe::{Choice, Event, NONE, Probe, Visit, tell};
 
 /// Cells for each primitive.
 const DENSITY: f64 = 4.0;
@@ -168,7 +168,7 @@ impl Grid {
         let bounds = self.bounds.padded(DVec3::splat(slack));
         let Some(inside) = bounds.clip(&query.ray, query.interval) else {
             if P::TRAVERSAL {
-                probe.event(step(0, query.interval, Choice::SkippedOutside));
+                tell!(probe, step(0, query.interval, Choice::SkippedOutside));
             }
             return best;
         };
@@ -203,7 +203,7 @@ impl Grid {
             let id = (cell[2] * self.size[1] + cell[1]) * self.size[0] + cell[0];
             if P::TRAVERSAL {
                 let part = Interval::new(enter, leave.min(inside.max));
-                probe.event(step(id as u32, part, Choice::Cell));
+                tell!(probe, step(id as u32, part, Choice::Cell));
             }
             if query.test_all::<ANY, P>(self.primitives(id), &mut best, probe) {
                 return best;

@@ -2,6 +2,7 @@
 
 use super::area::Area;
 use crate::math::{DVec3, Rgb};
+use crate::probe::counting;
 
 /// The largest factor on a light's intensity: the inverse square law at the width of an atom is far below, and the sums that
 /// are made of what is above have no end.
@@ -77,7 +78,8 @@ impl Source {
     /// and at the edge of an area, there is no direction to it: `None`.
     pub fn at(&self, point: DVec3, u: [f64; 2]) -> Option<Illumination> {
         match *self {
-            Self::Area(ref area) => area.sample(point, u),
+            Self::Area(ref area) if counting::AREAS => area.sample(point, u),
+            Self::Area(_) => None,
             Self::Point {
                 position,
                 intensity,
@@ -120,7 +122,7 @@ impl Source {
 
     /// True if it shines from more than one point.
     pub fn is_area(&self) -> bool {
-        matches!(self, Self::Area(_))
+        counting::AREAS && matches!(self, Self::Area(_))
     }
 
     fn from_point(

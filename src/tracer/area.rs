@@ -4,6 +4,7 @@ use super::lights::{Asker, Start, Surface};
 use crate::math::points::{Points, Run};
 use crate::math::sampler::light_run;
 use crate::math::{LightSampling, Rgb, Sampler};
+use crate::probe::counting;
 use crate::scene::{Effect, Scene, Settings};
 use crate::shading::{Area, Illumination, Interaction, Projected, Source};
 
@@ -33,7 +34,7 @@ impl<'a> AreaView<'a> {
         light: u32,
     ) -> Option<Self> {
         match &scene.lights[light as usize].source {
-            Source::Area(area) => Some(Self {
+            Source::Area(area) if counting::AREAS => Some(Self {
                 area,
                 projected: projected(area, settings, surface),
                 places: settings

@@ -3,7 +3,7 @@
 use super::area::AreaView;
 use super::shadow::Shadow;
 use crate::math::{DVec3, Ray, Rgb};
-use crate::probe::Absence;
+use crate::probe::{Absence, counting};
 use crate::scene::{Scene, Settings};
 use crate::shading::{Illumination, Interaction, Material};
 use crate::world::World;
@@ -111,6 +111,7 @@ pub fn question(
     (surface, area): (&Surface, Option<&AreaView>),
     light: (u32, u32),
 ) -> Result<Question, Absence> {
+    let area = area.filter(|_| counting::AREAS);
     if surface.diffuse.is_black() && surface.material.specular.is_black() {
         return Err(Absence::NoLocalLight);
     }

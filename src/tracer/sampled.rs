@@ -6,7 +6,7 @@ use super::samples::{Place, Weights, place};
 use super::spread::Spread;
 use super::whitted::Tracer;
 use crate::math::{Ray, Rgb};
-use crate::probe::{Event, Probe};
+use crate::probe::{Event, Probe, tell};
 use crate::scene::{Budget, Pilot, Settings};
 
 /// What is known of it.
@@ -134,11 +134,14 @@ impl Sampled {
         let index = self.pixel.samples;
         let place = place(settings, self.at, index);
         if let Some(weights) = self.weights {
-            tracer.probe.event(Event::Sample {
-                index,
-                film: place.film,
-                weight: weights.of(index, place.sign),
-            });
+            tell!(
+                tracer.probe,
+                Event::Sample {
+                    index,
+                    film: place.film,
+                    weight: weights.of(index, place.sign),
+                }
+            );
         }
         let camera = &tracer.world.scene.camera;
         let ray = camera.ray(place.film, settings.size());

@@ -10,7 +10,7 @@ use super::foresight::Foreseen;
 use super::lights::{Asker, Bundle, Surface};
 use crate::geometry::Hit;
 use crate::math::{DVec3, Ray, Rgb};
-use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term};
+use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term, counting, tell};
 use crate::scene::{Budget, Effect, Settings};
 use crate::shading::{Interaction, Material, optics, phong};
 use crate::world::Entered;
@@ -129,7 +129,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
     /// What a ray brings back that leaves the scene.
     fn background(&mut self) -> Rgb {
         let mut sum = Rgb::BLACK;
-        self.probe.event(Event::Miss);
+        tell!(self.probe, Event::Miss);
         let background = self.world.scene.background;
         self.add(&mut sum, Term::Background, (NONE, 0), background);
         self.done(sum)
@@ -138,7 +138,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
     /// The radiance of a place on a surface: the shading equation, term by term.
     fn shade(&mut self, path: &Path, hit: &Hit, at: &Interaction, change: Option<&Change>) -> Rgb {
         let mut sum = Rgb::BLACK;
-        self.probe.event(Event::Hit(*hit));
+        tell!(self.probe, Event::Hit(*hit));
         let scene = &self.world.scene;
         let material = scene.material_of(hit.primitive);
 
@@ -156,7 +156,9 @@ impl<'a, P: Probe> Tracer<'a, P> {
             self.light(&mut sum, path, &surface, light);
         }
         // What comes from the mirrored and from the refracted direction.
-        if let Some(change) = change {
+        if counting::REFRACTION
+            && let Some(change) = change
+        {
             self.split(&mut sum, path, (at, material), change);
         } else {
             self.reflect(&mut sum, path, at, material.mirror);
@@ -250,11 +252,14 @@ impl<'a, P: Probe> Tracer<'a, P> {
     /// Tells of a secondary ray that is not sent.
     #[inline]
     fn absent(&mut self, kind: RayKind, reason: Absence) {
-        self.probe.event(Event::Absent {
-            kind,
-            light: NONE,
-            reason,
-        });
+        tell!(
+            self.probe,
+            Event::Absent {
+                kind,
+                light: NONE,
+                reason,
+            }
+        );
     }
 
     /// The three ends of recursion besides a miss: depth, weight and budget.
@@ -287,33 +292,39 @@ impl<'a, P: Probe> Tracer<'a, P> {
     fn send(&mut self, path: &Path) {
         self.rays += 1;
         self.spent += u64::from(path.depth > 0);
-        self.probe.event(Event::Ray(RaySent {
-            kind: path.kind,
-            sample: 0,
-            depth: path.depth,
-            light: NONE,
-            medium: path.medium,
-            origin: path.ray.origin,
-            direction: path.ray.direction,
-            t_max: f64::INFINITY,
-            weight: path.weight,
-        }));
+        tell!(
+            self.probe,
+            Event::Ray(RaySent {
+                kind: path.kind,
+                sample: 0,
+                depth: path.depth,
+                light: NONE,
+                medium: path.medium,
+                origin: path.ray.origin,
+                direction: path.ray.direction,
+                t_max: f64::INFINITY,
+                weight: path.weight,
+            })
+        );
     }
 
     /// Adds a term to the sum, and tells of it.
     fn add(&mut self, sum: &mut Rgb, term: Term, (light, sample): (u32, u32), value: Rgb) {
         *sum += value;
-        self.probe.event(Event::Term {
-            term,
-            sample: sample as u16,
-            light,
-            value,
-        });
+        tell!(
+            self.probe,
+            Event::Term {
+                term,
+                sample: sample as u16,
+                light,
+                value,
+            }
+        );
     }
 
     /// Tells of a ray that is done.
     fn done(&mut self, radiance: Rgb) -> Rgb {
-        self.probe.event(Event::Return { radiance });
+        tell!(self.probe, Event::Return { radiance });
         radiance
     }
 }

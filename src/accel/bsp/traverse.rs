@@ -4,7 +4,7 @@ use super::{Bsp, LEAF, MAX_DEPTH, Node};
 use crate::accel::Query;
 use crate::geometry::Hit;
 use crate::math::{DVec3, Interval, Ray};
-use crate::probe::{Choice, Event, NONE, Probe, Visit};
+use crate::probe::{Choice, Event, NONE, Probe, Visit, tell};
 
 /// A part of the tree that is still to be visited: what lies on a node's plane, then the node's far child.
 #[derive(Clone, Copy)]
@@ -62,7 +62,7 @@ impl Bsp {
         let bounds = self.bounds.padded(DVec3::splat(slack));
         let Some(inside) = bounds.clip(&query.ray, query.interval) else {
             if P::TRAVERSAL {
-                probe.event(ended(0, query.interval, Choice::SkippedOutside));
+                tell!(probe, ended(0, query.interval, Choice::SkippedOutside));
             }
             return best;
         };
@@ -82,7 +82,10 @@ impl Bsp {
             // A hit at the very entry does not count: one beyond it may be as close and have the smaller id.
             if best.is_some_and(|hit| hit.t < next.inside.min) {
                 if P::TRAVERSAL {
-                    probe.event(ended(next.child, next.inside, Choice::SkippedCloserHit));
+                    tell!(
+                        probe,
+                        ended(next.child, next.inside, Choice::SkippedCloserHit)
+                    );
                 }
                 continue;
             }
@@ -101,7 +104,7 @@ impl Bsp {
                 }
                 let crossing = self.cross(&walker, id, node, inside);
                 if P::TRAVERSAL {
-                    probe.event(Event::Visit(crossing.visit(id, inside)));
+                    tell!(probe, Event::Visit(crossing.visit(id, inside)));
                 }
                 if !crossing.near_missed && !crossing.far_missed {
                     stack[waiting] = Pending {
@@ -118,7 +121,7 @@ impl Bsp {
                 };
             };
             if P::TRAVERSAL {
-                probe.event(ended(id, inside, Choice::Leaf));
+                tell!(probe, ended(id, inside, Choice::Leaf));
             }
             if query.test_all::<ANY, P>(self.primitives(leaf), &mut best, probe) {
                 return best;

@@ -7,7 +7,7 @@ use crate::accel::local::{Local, Plan, larger, lifted, smaller};
 use crate::accel::simd::{Level, Task};
 use crate::geometry::Hit;
 use crate::math::Interval;
-use crate::probe::{Choice, Event, Probe, Visit};
+use crate::probe::{Choice, Event, Probe, Visit, tell};
 
 /// A child that is still to be visited, and the part of the ray inside it.
 #[derive(Clone, Copy)]
@@ -119,7 +119,7 @@ impl<const ANY: bool, P: Probe> Task for Search<'_, ANY, P> {
         if let Some((local, inside)) = local {
             follow::<ANY, L, P>(level, planes, query, &local, inside, &mut best, probe);
         } else if P::TRAVERSAL {
-            probe.event(ended(0, query.interval, Choice::SkippedOutside));
+            tell!(probe, ended(0, query.interval, Choice::SkippedOutside));
         }
         best
     }
@@ -172,7 +172,7 @@ fn follow<const ANY: bool, L: Level, P: Probe>(
             }
             let crossing = planes.cross(level, node, local);
             if P::TRAVERSAL {
-                probe.event(tell(planes, id, query, local, &crossing, (min, max)));
+                tell!(probe, tell(planes, id, query, local, &crossing, (min, max)));
             }
             let first = node.first() + crossing.front;
             let second = node.first() + 1 - crossing.front;
@@ -191,7 +191,7 @@ fn follow<const ANY: bool, L: Level, P: Probe>(
             (id, max) = (first, smaller(max, crossing.leave));
         };
         if P::TRAVERSAL {
-            probe.event(ended(id, part(local, min, max), Choice::Leaf));
+            tell!(probe, ended(id, part(local, min, max), Choice::Leaf));
         }
         if query.test_all::<ANY, P>(planes.tree.primitives(leaf), best, probe) {
             return;
@@ -212,7 +212,7 @@ fn follow<const ANY: bool, L: Level, P: Probe>(
             }
             if P::TRAVERSAL {
                 let inside = part(local, next.min, next.max);
-                probe.event(ended(next.child, inside, Choice::SkippedCloserHit));
+                tell!(probe, ended(next.child, inside, Choice::SkippedCloserHit));
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::accel::filter::{depth_inside, doubt};
 use crate::accel::local::{Local, Plan, larger, smaller};
 use crate::accel::simd::{Level, Task};
 use crate::geometry::Hit;
-use crate::probe::{Choice, Event, NONE, Probe, Visit};
+use crate::probe::{Choice, Event, NONE, Probe, Visit, tell};
 
 /// Most trees let no more children wait than this; a short stack is soon made.
 const USUAL: usize = 64;
@@ -39,7 +39,7 @@ impl<const ANY: bool, P: Probe> Task for Search<'_, ANY, P> {
                 if P::TRAVERSAL {
                     let Query { interval, .. } = query;
                     let all = [interval.min, interval.max];
-                    probe.event(step(0, all, Choice::SkippedOutside, [NONE; 2]));
+                    tell!(probe, step(0, all, Choice::SkippedOutside, [NONE; 2]));
                 }
             }
             Plan::TestAll => test_all::<ANY, P>(wide, query, &mut best, probe),
@@ -120,7 +120,7 @@ fn follow<const DEPTH: usize, const ANY: bool, L: Level, P: Probe>(
                 if P::TRAVERSAL {
                     let part = [local.world(enter), query.interval.max];
                     let choice = Choice::SkippedCloserHit;
-                    probe.event(step(wide.number(child), part, choice, [NONE; 2]));
+                    tell!(probe, step(wide.number(child), part, choice, [NONE; 2]));
                 }
                 continue;
             }
@@ -130,7 +130,10 @@ fn follow<const DEPTH: usize, const ANY: bool, L: Level, P: Probe>(
             let block = &wide.blocks[(child & !BLOCK) as usize];
             if P::TRAVERSAL {
                 let part = [local.world(enter), local.world(max)];
-                probe.event(step(wide.number(child), part, Choice::Leaf, [NONE; 2]));
+                tell!(
+                    probe,
+                    step(wide.number(child), part, Choice::Leaf, [NONE; 2])
+                );
             }
             if test_block::<ANY, L, P>(level, query, &sight, block, best, probe) {
                 return;
@@ -252,11 +255,14 @@ fn tell<P: Probe>(
     let enter = near.iter().copied().fold(f32::INFINITY, f32::min);
     let leave = far.iter().copied().fold(f32::NEG_INFINITY, f32::max);
     let part = [local.world(enter), local.world(leave)];
-    probe.event(step(id, part, Choice::Children, [child(0), child(1)]));
+    tell!(
+        probe,
+        step(id, part, Choice::Children, [child(0), child(1)])
+    );
     for i in (0..WIDTH).filter(|i| !is_met(i) && node.children[*i] != NONE) {
         let part = [local.world(near[i]), local.world(far[i])];
         let number = wide.number(node.children[i]);
-        probe.event(step(number, part, Choice::SkippedMissed, [NONE; 2]));
+        tell!(probe, step(number, part, Choice::SkippedMissed, [NONE; 2]));
     }
 }
 

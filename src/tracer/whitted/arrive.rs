@@ -3,7 +3,7 @@
 use super::{Path, Tracer};
 use crate::geometry::Hit;
 use crate::math::Ray;
-use crate::probe::{Event, NONE, Probe};
+use crate::probe::{Event, NONE, Probe, tell};
 use crate::shading::Interaction;
 use crate::world::Company;
 use crate::world::Entered;
@@ -57,7 +57,7 @@ impl<P: Probe> Tracer<'_, P> {
             return None;
         }
         let hit = arrival.hit;
-        self.probe.event(Event::Passed { hit, medium });
+        tell!(self.probe, Event::Passed { hit, medium });
         self.rays += 1;
         self.spent += 1;
         path.entered = crossed.change.entered;

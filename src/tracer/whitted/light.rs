@@ -2,7 +2,7 @@
 
 use super::{Path, Tracer};
 use crate::math::Rgb;
-use crate::probe::{Absence, Event, Probe, RayKind, RaySent, Term};
+use crate::probe::{Absence, Event, Probe, RayKind, RaySent, Term, counting, tell};
 use crate::scene::Effect;
 use crate::shading::{optics, phong};
 use crate::tracer::area::AreaView;
@@ -35,7 +35,7 @@ impl<P: Probe> Tracer<'_, P> {
             if !P::LISTENS && settings.effects.has(Effect::Shadows) {
                 return self.light_in_a_bundle(sum, facing, light, samples);
             }
-            self.probe.event(Event::Bundle { light, samples });
+            tell!(self.probe, Event::Bundle { light, samples });
         }
         for sample in 0..samples {
             if !self.one_sample(sum, path, facing, (light, sample)) {
@@ -117,11 +117,14 @@ impl<P: Probe> Tracer<'_, P> {
                 Some(question)
             }
             Err(reason) => {
-                self.probe.event(Event::Absent {
-                    kind: RayKind::Light,
-                    light: light.0,
-                    reason,
-                });
+                tell!(
+                    self.probe,
+                    Event::Absent {
+                        kind: RayKind::Light,
+                        light: light.0,
+                        reason,
+                    }
+                );
                 None
             }
         }
@@ -131,11 +134,14 @@ impl<P: Probe> Tracer<'_, P> {
     fn no_more_light(&mut self, light: u32) -> bool {
         let out = self.out_of_rays();
         if out {
-            self.probe.event(Event::Absent {
-                kind: RayKind::Light,
-                light,
-                reason: Absence::RayBudget,
-            });
+            tell!(
+                self.probe,
+                Event::Absent {
+                    kind: RayKind::Light,
+                    light,
+                    reason: Absence::RayBudget,
+                }
+            );
         }
         out
     }
@@ -144,29 +150,38 @@ impl<P: Probe> Tracer<'_, P> {
     fn shadowed(&mut self, path: &Path, (light, sample): (u32, u32), question: &Question) -> bool {
         let Question { ray, lit, .. } = question;
         if !self.settings.effects.has(Effect::Shadows) {
-            self.probe.event(Event::Absent {
-                kind: RayKind::Light,
-                light,
-                reason: Absence::EffectOff,
-            });
+            tell!(
+                self.probe,
+                Event::Absent {
+                    kind: RayKind::Light,
+                    light,
+                    reason: Absence::EffectOff,
+                }
+            );
             return false;
         }
-        self.probe.event(Event::Ray(RaySent {
-            kind: RayKind::Light,
-            sample: sample as u16,
-            depth: path.depth + 1,
-            light,
-            medium: path.medium,
-            origin: ray.origin,
-            direction: ray.direction,
-            t_max: lit.distance,
-            weight: Rgb::WHITE,
-        }));
+        tell!(
+            self.probe,
+            Event::Ray(RaySent {
+                kind: RayKind::Light,
+                sample: sample as u16,
+                depth: path.depth + 1,
+                light,
+                medium: path.medium,
+                origin: ray.origin,
+                direction: ray.direction,
+                t_max: lit.distance,
+                weight: Rgb::WHITE,
+            })
+        );
         let blocker = self.world.blocker(ray, lit.distance, self.probe);
-        self.probe.event(blocker.map_or(Event::Lit, Event::Blocked));
-        self.probe.event(Event::Return {
-            radiance: Rgb::BLACK,
-        });
+        tell!(self.probe, blocker.map_or(Event::Lit, Event::Blocked));
+        tell!(
+            self.probe,
+            Event::Return {
+                radiance: Rgb::BLACK,
+            }
+        );
         blocker.is_some()
     }
 
@@ -175,8 +190,8 @@ impl<P: Probe> Tracer<'_, P> {
         let Question { lit, n_dot_l, .. } = question;
         let (at, m, kd) = (surface.at, surface.material, surface.diffuse);
         let diffuse = match lit.irradiance {
-            Some(irradiance) => kd * irradiance,
-            None => phong::diffuse(kd, lit.intensity, *n_dot_l),
+            Some(irradiance) if counting::AREAS => kd * irradiance,
+            _ => phong::diffuse(kd, lit.intensity, *n_dot_l),
         };
         self.add(sum, Term::Diffuse, light, diffuse);
         if !m.specular.is_black() && self.settings.effects.has(Effect::Highlights) {

@@ -2,7 +2,7 @@
 
 use super::Tracer;
 use crate::math::{DVec3, Rgb};
-use crate::probe::{Absence, Event, Probe};
+use crate::probe::{Absence, Event, Probe, tell};
 use crate::shading::{Interaction, Material, optics};
 use crate::world::Entered;
 use crate::world::interface::Change;
@@ -42,11 +42,14 @@ impl<P: Probe> Tracer<'_, P> {
             let (cos_i, cos_t) = (at.normal.dot(at.to_viewer), -at.normal.dot(t));
             self.settings.fresnel.reflectance(cos_i, cos_t, n1, n2)
         });
-        self.probe.event(Event::Boundary {
-            n1,
-            n2,
-            reflectance,
-        });
+        tell!(
+            self.probe,
+            Event::Boundary {
+                n1,
+                n2,
+                reflectance,
+            }
+        );
         let share = m.transmission * (1.0 - reflectance);
         Split {
             reflected: m.mirror + m.transmission * reflectance,
