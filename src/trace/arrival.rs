@@ -70,7 +70,7 @@ impl<'a> View<'a> {
         };
         let ray = Ray::new(node.sent.origin, node.sent.direction);
         let name = |object: u32| self.world.scene.objects[object as usize].name.as_str();
-        let objects = boundary::touching(self.world, &ray, &hit);
+        let objects = interface::touching(self.world, &ray, &hit);
         objects.into_iter().map(name).collect()
     }
 
