@@ -1,7 +1,7 @@
 //! Which effects a scene calls for, and why: nobody should pay for what cannot be seen.
 //!
 //! Derived from the scene alone, before anything is rendered, and rather too many than too few: an effect that is off
-//! could not have changed any pixel. `tests/effects.rs` renders with what was derived and with everything, and compares
+//! could not have changed any pixel. `tests/it/effects.rs` renders with what was derived and with everything, and compares
 //! the bits.
 
 use super::Scene;

@@ -1,11 +1,7 @@
 //! Area lights against answers known on paper: irradiance and the spread of points.
 
-#[path = "common/floor.rs"]
-mod floor;
-
 use std::f64::consts::PI;
 
-use floor::{LAMP, SQUARE, floor, irradiance, part, polygon, runs, settings};
 use raytree::accel::AccelKind;
 use raytree::geometry::{Aabb, Cuboid, Disc, Shape, Sphere, Triangle};
 use raytree::math::points::Run;
@@ -15,6 +11,8 @@ use raytree::shading::Area;
 use raytree::shading::area::Form;
 use raytree::trace::{View, trace_pixel};
 use raytree::world::World;
+
+use crate::floor::{LAMP, SQUARE, floor, irradiance, part, polygon, runs, settings};
 
 /// Every sampler that has chance in it hits the true value: |z| < 4.3, which one honest test in 10^5 exceeds; there
 /// are about 60. (1e-9 is what single-precision points may add.)

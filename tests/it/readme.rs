@@ -17,7 +17,7 @@ fn sessions(text: &str) -> Vec<(Vec<String>, String)> {
 
 #[test]
 fn the_sessions_in_the_readme_are_real() {
-    let sessions = sessions(include_str!("../README.md"));
+    let sessions = sessions(include_str!("../../README.md"));
     assert_eq!(sessions.len(), 2);
     for (words, expected) in sessions {
         let output = Command::new(env!("CARGO_BIN_EXE_raytree"))
@@ -31,6 +31,6 @@ fn the_sessions_in_the_readme_are_real() {
 
 #[test]
 fn the_readme_names_its_two_commands() {
-    let readme = include_str!("../README.md");
+    let readme = include_str!("../../README.md");
     assert!(readme.contains("\ncargo run --release ") && readme.contains("\ncargo test "));
 }

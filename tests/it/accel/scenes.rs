@@ -4,7 +4,7 @@ use glam::{DAffine3, DQuat};
 use raytree::geometry::{Aabb, Cuboid, Disc, Placed, Plane, Shape, Sphere, Triangle};
 use raytree::math::{DVec3, Interval, Ray, Transform};
 
-use super::random::Random;
+use crate::random::Random;
 
 pub fn triangle(corners: [DVec3; 3]) -> Shape {
     Shape::Triangle(Triangle { corners })

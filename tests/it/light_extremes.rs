@@ -1,15 +1,13 @@
 //! Lights that are hardly there: without an area, seen from their edge, at or through the place that they light.
 
-#[path = "common/floor.rs"]
-mod floor;
-
 use std::f64::consts::PI;
 
-use floor::{LAMP, floor, irradiance, load, polygon, runs, settings};
 use raytree::math::{DVec3, LightSampling, Sampler};
 use raytree::scene::Settings;
 use raytree::trace::{View, trace_pixel};
 use raytree::world::World;
+
+use crate::floor::{LAMP, floor, irradiance, load, polygon, runs, settings};
 
 /// Every way of sampling, with its irradiance at one place.
 fn ways(world: &World) -> impl Iterator<Item = (Sampler, LightSampling, f64)> {

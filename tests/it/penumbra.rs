@@ -1,15 +1,13 @@
 //! Penumbrae against their closed forms, and how fast the error falls with more rays.
 
-#[path = "common/floor.rs"]
-mod floor;
-
 use std::f64::consts::TAU;
 
-use floor::{EDGE, How, LAMP, SQUARE, floor, irradiance, part, polygon, runs, settings};
 use raytree::math::{DVec3, LightSampling, Sampler};
 use raytree::scene::Settings;
 use raytree::trace::{View, trace_pixel};
 use raytree::world::World;
+
+use crate::floor::{EDGE, How, LAMP, SQUARE, floor, irradiance, part, polygon, runs, settings};
 
 /// Lit and blocked samples of the one bundle of the floor.
 fn bundle(world: &World, settings: &Settings) -> (f64, f64) {

@@ -1,14 +1,14 @@
 //! A ray that leaves a surface does not find it again, at any size and any distance from the origin; and what lies
 //! close behind it is not lost.
 
-mod common;
-
 use proptest::prelude::*;
 use raytree::geometry::{
     Aabb, Cuboid, Disc, Intersection, Placed, Plane, Shape, Shear, Sphere, Triangle,
 };
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::shading::{Interaction, Side};
+
+use crate::common;
 
 /// A number whose power of ten is spread evenly.
 fn scale(range: std::ops::Range<i32>) -> impl Strategy<Value = f64> + Clone {

@@ -1,7 +1,5 @@
 //! Stepping through a recorded pixel: back undoes forward, over and out nest, and a million rays are no burden.
 
-mod common;
-
 use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
@@ -12,6 +10,8 @@ use raytree::trace::{
     Cursor, PixelTrace, RayTree, Recorder, View, explain, json, ledger, trace_pixel,
 };
 use raytree::world::World;
+
+use crate::common;
 
 fn traced(name: &str, at: (u32, u32), depth: u32) -> (World, Settings, PixelTrace) {
     let scene = scene::load(name).expect("a built-in scene");

@@ -67,7 +67,7 @@ fn the_book_shows_the_limits_as_they_are() {
     assert_eq!(
         &book[start..end],
         rows,
-        "write it anew: RAYTREE_BOOK=1 cargo test --test limits"
+        "write it anew: RAYTREE_BOOK=1 cargo test --test it limits"
     );
 }
 

@@ -1,19 +1,17 @@
 //! Every accelerator answers as the list does: same primitive, same bits of t and of the weights.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod large;
-#[path = "../common/random.rs"]
-mod random;
 mod scenes;
 
 use proptest::prelude::*;
-use random::Random;
 use raytree::accel::{Accel, AccelKind, AccelStats};
 use raytree::geometry::{Hit, Plane, Shape};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::probe::{Choice, Event, Probe, Silent, Verdict};
 use scenes::{Frame, STYLES, fan, ray, scene, triangle};
+
+use crate::common;
+use crate::random::Random;
 
 const TREES: [AccelKind; 10] = [
     AccelKind::Bsp,
@@ -78,7 +76,7 @@ fn agree_on(trees: &[AccelKind], shapes: &[Shape], rays: &[(Ray, Interval)]) -> 
 }
 
 // 60 rays through each scene, 32 of them in two bundles. 10^7 rays are
-// `RAYTREE_CASES=3400 RAYTREE_ROUNDS=50 cargo test --release --test accel trees_answer`.
+// `RAYTREE_CASES=3400 RAYTREE_ROUNDS=50 cargo test --release --test it accel::trees_answer`.
 proptest! {
     #![proptest_config(common::config(600))]
 

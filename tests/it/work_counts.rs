@@ -12,7 +12,7 @@ use raytree::tracer::{Flow, render};
 use raytree::world::World;
 
 /// Lines of scene, accelerator, rays, nodes and tests, at 80x60 pixels and else as the scene wants it.
-const FIGURES: &str = include_str!("counts.txt");
+const FIGURES: &str = include_str!("../counts.txt");
 
 /// All that is counted while a picture is drawn.
 fn counts(world: &World, settings: &Settings) -> Counts {

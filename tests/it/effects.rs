@@ -1,7 +1,5 @@
 //! Effects: what is derived from a scene is enough, what is off costs nothing, what is left out is said.
 
-mod common;
-
 use proptest::prelude::*;
 use raytree::math::Rgb;
 use raytree::probe::Silent;
@@ -13,6 +11,8 @@ use raytree::scene::{self, Scene, Settings};
 use raytree::trace::Counts;
 use raytree::tracer::{Flow, render};
 use raytree::world::World;
+
+use crate::common;
 
 fn small(scene: &Scene, effects: Effects) -> Settings {
     Settings {

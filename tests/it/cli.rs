@@ -1,5 +1,6 @@
 //! The command line as a user types it: what it prints, where, and with which exit status.
 
+mod samples;
 mod stability;
 
 use std::fs;

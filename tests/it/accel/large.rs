@@ -6,7 +6,7 @@ use raytree::accel::{Accel, AccelKind};
 use raytree::geometry::{Shape, Sphere, Triangle};
 use raytree::math::{DVec3, Interval, Ray};
 
-use crate::agree_on;
+use super::agree_on;
 use crate::random::Random;
 
 /// Those that are built in parts.

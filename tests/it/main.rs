@@ -1,0 +1,35 @@
+//! What the whole program promises, by subject. One test program, since each takes seconds to link.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../common/floor.rs"]
+mod floor;
+#[path = "../common/random.rs"]
+mod random;
+
+mod accel;
+mod adaptive_neighbours;
+mod area_lights;
+mod arithmetic;
+mod bad_scenes;
+mod bsp_sah;
+mod cli;
+mod cost;
+mod effects;
+mod glass_slab;
+mod laws;
+mod light_extremes;
+mod limits;
+mod obj;
+mod penumbra;
+mod projected;
+mod readme;
+mod same_bits;
+mod sampling;
+mod scenes;
+mod self_hits;
+mod spd;
+mod stepping;
+mod tidy;
+mod tui;
+mod work_counts;
