@@ -1,5 +1,7 @@
 //! Scene files, made by chance: nearly right, with all that a scene can have, and here and there what it must not have.
 
+mod objects;
+
 use super::dice::Dice;
 use super::words::{HARD, NAMES, WRONG};
 
@@ -238,150 +240,6 @@ impl Document<'_> {
         format!("{{\"{kind}\": {{\"name\": \"{name}\", {rest}{attenuation}}}}}")
     }
 
-    fn object(&mut self, depth: usize) -> String {
-        if depth < 40 && self.dice.one_in(if depth == 0 { 8 } else { 3 }) {
-            let inner: Vec<_> = (0..=self.dice.few(2))
-                .map(|_| self.object(depth + 1))
-                .collect();
-            let (name, placed) = (self.new_name(), self.placed());
-            return format!(
-                "{{\"group\": {{\"name\": \"{name}\"{placed}, \"objects\": [{}]}}}}",
-                inner.join(",")
-            );
-        }
-        let rest = match self.dice.below(9) {
-            0 => format!(
-                "\"center\": {}, \"radius\": {}",
-                self.vector(),
-                self.positive()
-            ),
-            1 => format!(
-                "\"point\": {}, \"normal\": {}",
-                self.vector(),
-                self.vector()
-            ),
-            2 => format!(
-                "\"center\": {}, \"normal\": {}, \"radius\": {}",
-                self.vector(),
-                self.vector(),
-                self.positive()
-            ),
-            3 => format!(
-                "\"corners\": [{}, {}, {}]",
-                self.vector(),
-                self.vector(),
-                self.vector()
-            ),
-            4 => format!(
-                "\"corner\": {}, \"u\": {}, \"v\": {}",
-                self.vector(),
-                self.vector(),
-                self.vector()
-            ),
-            5 => format!(
-                "\"min\": [-1, {}, -2], \"max\": [{}, 2, 3]",
-                self.number(),
-                self.positive()
-            ),
-            6 => self.mesh(),
-            _ => return self.obj(),
-        };
-        let kinds = ["sphere", "plane", "disc", "triangle", "quad", "box", "mesh"];
-        let kind = kinds
-            .into_iter()
-            .find(|kind| belongs(kind, &rest))
-            .unwrap_or("sphere");
-        let material = if self.slip() == 1 {
-            self.name()
-        } else {
-            self.dice.pick(&["a", "b", "c"]).to_string()
-        };
-        let (name, placed) = (self.new_name(), self.placed());
-        format!(
-            "{{\"{kind}\": {{\"name\": \"{name}\", \"material\": \"{material}\"{placed}, {rest}}}}}"
-        )
-    }
-
-    fn obj(&mut self) -> String {
-        let file = if self.dice.one_in(self.hard) {
-            self.name()
-        } else {
-            "m.obj".to_string()
-        };
-        let material = if self.dice.one_in(2) {
-            ", \"material\": \"a\""
-        } else {
-            ""
-        };
-        let (name, placed) = (self.new_name(), self.placed());
-        format!("{{\"obj\": {{\"name\": \"{name}\"{material}{placed}, \"file\": \"{file}\"}}}}")
-    }
-
-    fn mesh(&mut self) -> String {
-        let count = 3 + self.dice.few(30);
-        let vertices: Vec<_> = (0..count).map(|_| self.vector()).collect();
-        let triangles: Vec<_> = (0..self.dice.few(60))
-            .map(|_| {
-                let most = count + self.slip();
-                let corner = |d: &mut Self| d.dice.below(most);
-                format!("[{}, {}, {}]", corner(self), corner(self), corner(self))
-            })
-            .collect();
-        let mut mesh = format!(
-            "\"vertices\": [{}], \"triangles\": [{}]",
-            vertices.join(","),
-            triangles.join(",")
-        );
-        if self.dice.one_in(3) {
-            let normals: Vec<_> = (0..count - self.slip()).map(|_| self.vector()).collect();
-            mesh += &format!(", \"normals\": [{}]", normals.join(","));
-        }
-        if self.dice.one_in(3) {
-            let uvs: Vec<_> = (0..count)
-                .map(|_| format!("[{}, {}]", self.number(), self.number()))
-                .collect();
-            mesh += &format!(", \"uvs\": [{}]", uvs.join(","));
-        }
-        mesh
-    }
-
-    /// The transform of an object, with the comma before it; mostly none.
-    fn placed(&mut self) -> String {
-        if !self.dice.one_in(4) {
-            return String::new();
-        }
-        let steps: Vec<_> = (0..self.dice.few(6))
-            .map(|_| match self.dice.below(4) {
-                0 => format!("{{\"translate\": {}}}", self.vector()),
-                1 => format!(
-                    "{{\"rotate\": {{\"axis\": {}, \"degrees\": {}}}}}",
-                    self.vector(),
-                    self.number()
-                ),
-                2 if self.dice.one_in(2) => format!("{{\"scale\": {}}}", self.number()),
-                2 => format!("{{\"scale\": {}}}", self.vector()),
-                _ => {
-                    let row = |d: &mut Self| {
-                        format!(
-                            "[{}, {}, {}, {}]",
-                            d.number(),
-                            d.number(),
-                            d.number(),
-                            d.number()
-                        )
-                    };
-                    format!(
-                        "{{\"matrix\": [{}, {}, {}]}}",
-                        row(self),
-                        row(self),
-                        row(self)
-                    )
-                }
-            })
-            .collect();
-        format!(", \"transform\": [{}]", steps.join(","))
-    }
-
     fn name(&mut self) -> String {
         self.dice.pick(&NAMES).to_string()
     }
@@ -393,19 +251,6 @@ impl Document<'_> {
         }
         self.names += 1;
         format!("o{}", self.names - 1)
-    }
-}
-
-/// True for the kind of object that has these fields.
-fn belongs(kind: &str, fields: &str) -> bool {
-    match kind {
-        "disc" => fields.contains("normal") && fields.contains("radius"),
-        "sphere" => fields.contains("radius") && !fields.contains("normal"),
-        "plane" => fields.starts_with("\"point\""),
-        "triangle" => fields.contains("\"corners\""),
-        "quad" => fields.contains("\"corner\""),
-        "box" => fields.contains("\"min\""),
-        _ => fields.contains("\"vertices\""),
     }
 }
 

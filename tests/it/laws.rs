@@ -6,6 +6,10 @@
     reason = "an oracle uses the functions of the system, not those of the tracer"
 )]
 
+mod rays;
+mod terms;
+mod vectors;
+
 use std::collections::HashMap;
 use std::process::Command;
 
@@ -16,47 +20,9 @@ use raytree::tracer::{Film, Flow, render};
 use raytree::world::World;
 use serde_json::Value;
 
-type V = [f64; 3];
-
-const TOLERANCE: f64 = 1e-12;
-
-fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("a number, not {value}"))
-}
-
-fn vector(value: &Value) -> V {
-    [0, 1, 2].map(|i| number(&value[i]))
-}
-
-fn list(value: &Value) -> &[Value] {
-    value.as_array().map_or(&[], Vec::as_slice)
-}
-
-fn dot(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: V, b: V) -> V {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn length(a: V) -> f64 {
-    dot(a, a).sqrt()
-}
-
-fn combine(a: V, b: V, f: impl Fn(f64, f64) -> f64) -> V {
-    [0, 1, 2].map(|i| f(a[i], b[i]))
-}
-
-fn close(a: V, b: V, tolerance: f64) -> bool {
-    length(combine(a, b, |x, y| x - y)) <= tolerance
-}
+use rays::{check_direction, check_hit, check_shadow_ray};
+use terms::{check_bundles, check_term};
+use vectors::{TOLERANCE, V, close, combine, length, list, number, vector};
 
 /// What the laws met, so that a test can see that they were not empty.
 #[derive(Debug, Default)]
@@ -152,157 +118,6 @@ fn check_node(node: &Value, parent: Option<&Value>, lights: usize, met: &mut Met
     check_bundles(node, met);
     check_complete(node, lights, met);
     spread
-}
-
-/// R mirrors I at N; T obeys Snell's law and stays in the plane of I and N; L starts towards its light's side.
-fn check_direction(node: &Value, parent: &Value, kind: &str, direction: V, met: &mut Met) {
-    let i = vector(&parent["direction"]);
-    let n = vector(&parent["hit"]["normal"]);
-    match kind {
-        "R" => {
-            let mirrored = combine(i, n, |i, n| {
-                i - 2.0
-                    * dot(
-                        vector(&parent["direction"]),
-                        vector(&parent["hit"]["normal"]),
-                    )
-                    * n
-            });
-            assert!(close(direction, mirrored, TOLERANCE), "R = I - 2 (N.I) N");
-            assert_eq!(
-                node["medium"], parent["medium"],
-                "a reflected ray stays in its medium"
-            );
-        }
-        "T" => {
-            let boundary = &parent["boundary"];
-            let (n1, n2) = (number(&boundary["n1"]), number(&boundary["n2"]));
-            assert_eq!((n1, n2), (number(&parent["ior"]), number(&node["ior"])));
-            let (sin_i, sin_t) = (length(cross(n, i)), length(cross(n, direction)));
-            assert!(
-                (n1 * sin_i - n2 * sin_t).abs() <= TOLERANCE,
-                "n1 sin I = n2 sin T"
-            );
-            assert!(
-                dot(direction, cross(n, i)).abs() <= TOLERANCE,
-                "T in the plane of I and N"
-            );
-            assert!(dot(direction, n) < 0.0, "T goes through");
-            met.one(if n1 < n2 {
-                "into the denser"
-            } else {
-                "into the thinner"
-            });
-        }
-        "L" => assert!(dot(direction, n) > 0.0, "the light is before the surface"),
-        _ => panic!("a ray of kind {kind} has no parent"),
-    }
-}
-
-fn check_hit(node: &Value, hit: &Value, direction: V) {
-    let t = number(&hit["t"]);
-    assert!(t > number(&node["t_min"]));
-    let there = combine(vector(&node["origin"]), direction, |o, d| o + t * d);
-    assert!(
-        close(there, vector(&hit["point"]), 1e-11 * (1.0 + t)),
-        "point = o + t d"
-    );
-    for normal in [&hit["normal"], &hit["geometric_normal"]] {
-        assert!((length(vector(normal)) - 1.0).abs() <= TOLERANCE);
-        assert!(
-            dot(vector(normal), direction) <= 0.0,
-            "normals face the ray"
-        );
-    }
-    if let Some(weights) = hit.get("barycentric") {
-        assert!((vector(weights).iter().sum::<f64>() - 1.0).abs() <= 1e-12);
-    }
-}
-
-fn check_shadow_ray(node: &Value, met: &mut Met) {
-    let outcome = node["outcome"].as_str().expect("an outcome");
-    met.one(outcome);
-    assert!(node["light"].is_string());
-    match outcome {
-        "lit" => assert!(node.get("hit").is_none()),
-        "blocked" => {
-            let before = node["t_max"].as_f64().unwrap_or(f64::INFINITY);
-            assert!(
-                number(&node["hit"]["t"]) < before,
-                "the blocker stands before the light"
-            );
-        }
-        other => panic!("an L ray is lit or blocked, not {other}"),
-    }
-}
-
-/// Each term is the product of the factors that stand beside it.
-fn check_term(node: &Value, term: &Value) {
-    let value = vector(&term["value"]);
-    let product = |colors: [&str; 2], scalar: f64| {
-        combine(
-            vector(&term[colors[0]]),
-            vector(&term[colors[1]]),
-            |a, b| a * b * scalar,
-        )
-    };
-    let expected = match term["term"].as_str() {
-        Some("ambient") => product(["ka", "ambient_light"], 1.0),
-        Some("diffuse") => product(["kd", "intensity"], number(&term["n_dot_l"])),
-        Some("specular") => {
-            let power = number(&term["r_dot_v"]).powf(number(&term["shininess"]));
-            product(["ks", "intensity"], power)
-        }
-        _ => return,
-    };
-    assert!(
-        close(value, expected, 1e-12 * (1.0 + length(value))),
-        "{term}"
-    );
-    // The cosines are those of the shadow ray to the same light.
-    let Some(light) = term.get("light") else {
-        return;
-    };
-    let shadow_ray = list(&node["children"])
-        .iter()
-        .find(|c| c["kind"] == "L" && &c["light"] == light && c.get("sample") == term.get("sample"))
-        .expect("a lit term has its shadow ray");
-    assert_eq!(shadow_ray["outcome"], "lit");
-    let (l, n) = (
-        vector(&shadow_ray["direction"]),
-        vector(&node["hit"]["normal"]),
-    );
-    let v = vector(&node["direction"]).map(|x| -x);
-    if let Some(n_dot_l) = term["n_dot_l"].as_f64() {
-        assert!((n_dot_l - dot(n, l)).abs() <= TOLERANCE);
-    }
-    if let Some(r_dot_v) = term["r_dot_v"].as_f64() {
-        let r = combine(n, l, |n_k, l_k| 2.0 * dot(n, l) * n_k - l_k);
-        assert!((r_dot_v - dot(r, v).max(0.0)).abs() <= TOLERANCE);
-    }
-}
-
-/// A bundle counts the rays to its light, and its mean is the sum of their terms.
-fn check_bundles(node: &Value, met: &mut Met) {
-    for bundle in node["bundles"].as_array().into_iter().flatten() {
-        met.one("bundle");
-        let rays = |outcome: &str| {
-            let rays = list(&node["children"]).iter();
-            rays.filter(|c| c["light"] == bundle["light"] && c["outcome"] == outcome)
-                .count() as f64
-        };
-        assert_eq!(number(&bundle["lit"]), rays("lit"));
-        assert_eq!(number(&bundle["blocked"]), rays("blocked"));
-        assert!(rays("lit") + rays("blocked") <= number(&bundle["samples"]));
-        let terms = list(&node["terms"]).iter();
-        let sum = terms
-            .filter(|t| t["light"] == bundle["light"])
-            .fold([0.0; 3], |sum, t| {
-                combine(sum, vector(&t["value"]), |a, b| a + b)
-            });
-        assert!(close(sum, vector(&bundle["mean"]), 1e-12));
-        assert!(number(&bundle["standard_error"]) >= 0.0);
-    }
 }
 
 /// At a hit nothing is forgotten: every light, R and T are either sent or absent with a reason.

@@ -21,3 +21,4 @@ mod shadows;
 mod spheres;
 mod support;
 mod triangles;
+mod vessel;

@@ -1,0 +1,75 @@
+//! Laws of terms: the products of their factors, and the means of bundles.
+
+use serde_json::Value;
+
+use super::Met;
+use super::vectors::{TOLERANCE, close, combine, dot, length, list, number, vector};
+
+/// Each term is the product of the factors that stand beside it.
+pub fn check_term(node: &Value, term: &Value) {
+    let value = vector(&term["value"]);
+    let product = |colors: [&str; 2], scalar: f64| {
+        combine(
+            vector(&term[colors[0]]),
+            vector(&term[colors[1]]),
+            |a, b| a * b * scalar,
+        )
+    };
+    let expected = match term["term"].as_str() {
+        Some("ambient") => product(["ka", "ambient_light"], 1.0),
+        Some("diffuse") => product(["kd", "intensity"], number(&term["n_dot_l"])),
+        Some("specular") => {
+            let power = number(&term["r_dot_v"]).powf(number(&term["shininess"]));
+            product(["ks", "intensity"], power)
+        }
+        _ => return,
+    };
+    assert!(
+        close(value, expected, 1e-12 * (1.0 + length(value))),
+        "{term}"
+    );
+    // The cosines are those of the shadow ray to the same light.
+    let Some(light) = term.get("light") else {
+        return;
+    };
+    let shadow_ray = list(&node["children"])
+        .iter()
+        .find(|c| c["kind"] == "L" && &c["light"] == light && c.get("sample") == term.get("sample"))
+        .expect("a lit term has its shadow ray");
+    assert_eq!(shadow_ray["outcome"], "lit");
+    let (l, n) = (
+        vector(&shadow_ray["direction"]),
+        vector(&node["hit"]["normal"]),
+    );
+    let v = vector(&node["direction"]).map(|x| -x);
+    if let Some(n_dot_l) = term["n_dot_l"].as_f64() {
+        assert!((n_dot_l - dot(n, l)).abs() <= TOLERANCE);
+    }
+    if let Some(r_dot_v) = term["r_dot_v"].as_f64() {
+        let r = combine(n, l, |n_k, l_k| 2.0 * dot(n, l) * n_k - l_k);
+        assert!((r_dot_v - dot(r, v).max(0.0)).abs() <= TOLERANCE);
+    }
+}
+
+/// A bundle counts the rays to its light, and its mean is the sum of their terms.
+pub fn check_bundles(node: &Value, met: &mut Met) {
+    for bundle in node["bundles"].as_array().into_iter().flatten() {
+        met.one("bundle");
+        let rays = |outcome: &str| {
+            let rays = list(&node["children"]).iter();
+            rays.filter(|c| c["light"] == bundle["light"] && c["outcome"] == outcome)
+                .count() as f64
+        };
+        assert_eq!(number(&bundle["lit"]), rays("lit"));
+        assert_eq!(number(&bundle["blocked"]), rays("blocked"));
+        assert!(rays("lit") + rays("blocked") <= number(&bundle["samples"]));
+        let terms = list(&node["terms"]).iter();
+        let sum = terms
+            .filter(|t| t["light"] == bundle["light"])
+            .fold([0.0; 3], |sum, t| {
+                combine(sum, vector(&t["value"]), |a, b| a + b)
+            });
+        assert!(close(sum, vector(&bundle["mean"]), 1e-12));
+        assert!(number(&bundle["standard_error"]) >= 0.0);
+    }
+}
