@@ -4,12 +4,14 @@
 //! The real program runs on a pseudo-terminal. What a user waits for is what counts, so times are those of the clock; the
 //! processor time that stands beside them tells a busy machine from a slow program.
 //!
-//! `cargo bench --bench debugger`, with `-- start` only the second; with `RAYTREE_BOOK=1` the tables go into the book as well.
+//! `cargo bench -p raytree-benches --bench debugger`, with `-- start` only the second; with `RAYTREE_BOOK=1` the tables go into the book as well.
 
 #[path = "common/ball.rs"]
 mod ball;
 #[path = "common/obj.rs"]
 mod obj;
+#[path = "common/program.rs"]
+mod program;
 #[path = "common/table.rs"]
 mod table;
 #[path = "common/terminal.rs"]

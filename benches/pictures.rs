@@ -1,7 +1,7 @@
 //! Whole pictures: millions of rays a second of every accelerator on every kind of scene, eye, shadow, reflected and
 //! transmitted rays and shading together, in turns in one run; and what a second thread is worth.
 //!
-//! `cargo bench --bench pictures`; with `RAYTREE_BOOK=1` the tables go into the book as well.
+//! `cargo bench -p raytree-benches --bench pictures`; with `RAYTREE_BOOK=1` the tables go into the book as well.
 
 #[path = "common/table.rs"]
 mod table;

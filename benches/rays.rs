@@ -3,7 +3,7 @@
 //! The other crates compute in single precision and answer nearly the same; raytree computes in double precision and
 //! answers exactly. What counts are ratios, taken in turns, so that a slow minute of the machine hits all alike.
 //!
-//! `cargo bench --bench rays` runs criterion on each of raytree's accelerators, then prints the matrix;
+//! `cargo bench -p raytree-benches --bench rays` runs criterion on each of raytree's accelerators, then prints the matrix;
 //! with `-- nomatch` only the matrix; with `RAYTREE_BOOK=1` the matrix goes into the book as well, and
 //! `RAYTREE_MESH=ball` takes one mesh, `RAYTREE_WHO=kd,bsp-sah` only the accelerators of such names.
 

@@ -3,7 +3,7 @@
 //!
 //! Then whole pictures: the knobs of arithmetic, turned as `raytree cost` turns them.
 //!
-//! `cargo bench --bench robust`; with `RAYTREE_BOOK=1` the tables go into the book as well.
+//! `cargo bench -p raytree-benches --bench robust`; with `RAYTREE_BOOK=1` the tables go into the book as well.
 
 #[path = "common/table.rs"]
 mod table;

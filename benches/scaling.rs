@@ -3,12 +3,14 @@
 //!
 //! Each size is built in a process of its own, so that its peak of memory is its own: this program, run again.
 //!
-//! `cargo bench --bench scaling`; with `RAYTREE_BOOK=1` the tables go into the book as well.
+//! `cargo bench -p raytree-benches --bench scaling`; with `RAYTREE_BOOK=1` the tables go into the book as well.
 
 #[path = "common/ball.rs"]
 mod ball;
 #[path = "common/obj.rs"]
 mod obj;
+#[path = "common/program.rs"]
+mod program;
 #[path = "common/table.rs"]
 mod table;
 #[path = "common/terminal.rs"]
@@ -23,6 +25,7 @@ use std::time::{Duration, Instant};
 use raytree::accel::{Accel, AccelKind};
 use raytree::geometry::Shape;
 
+use program::raytree;
 use table::{markdown, median, publish};
 use terminal::{Terminal, covered, cpu};
 
@@ -161,8 +164,8 @@ fn building() -> String {
 
 /// Runs the program to its end: seconds, of the clock and of all processors, and bytes at the peak.
 fn rendered(args: &[&str]) -> [f64; 3] {
-    let start = Instant::now();
-    let child = Command::new(env!("CARGO_BIN_EXE_raytree"))
+    let (program, start) = (raytree(), Instant::now());
+    let child = Command::new(program)
         .arg("render")
         .args(args)
         .stderr(Stdio::null())

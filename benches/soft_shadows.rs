@@ -1,8 +1,8 @@
 //! What an area light costs for how much noise: every way to sample it, on whole pictures.
 //!
-//! The book's table: `RAYTREE_BOOK=1 cargo bench --bench soft_shadows -- --size 256`.
+//! The book's table: `RAYTREE_BOOK=1 cargo bench -p raytree-benches --bench soft_shadows -- --size 256`.
 //!
-//! `cargo bench --bench soft_shadows`, `-- --size N` for pictures of N x N pixels (64); with `RAYTREE_BOOK=1` the table
+//! `cargo bench -p raytree-benches --bench soft_shadows`, `-- --size N` for pictures of N x N pixels (64); with `RAYTREE_BOOK=1` the table
 //! goes into the book as well.
 
 #[path = "common/table.rs"]

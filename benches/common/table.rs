@@ -23,7 +23,10 @@ pub fn markdown(head: &[String], rows: &[Vec<String>]) -> String {
 pub fn publish(name: &str, text: &str) {
     println!("{text}");
     if std::env::var_os("RAYTREE_BOOK").is_some() {
-        let place = format!("{}/book/src/tables/{name}.md", env!("CARGO_MANIFEST_DIR"));
+        let place = format!(
+            "{}/../book/src/tables/{name}.md",
+            env!("CARGO_MANIFEST_DIR")
+        );
         let written = std::fs::write(&place, text);
         written.unwrap_or_else(|problem| panic!("{place}: {problem}"));
     }

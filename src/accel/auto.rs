@@ -4,7 +4,7 @@ use super::AccelKind;
 use crate::geometry::Shape;
 
 /// Up to so many shapes, testing all of them is quicker than finding out which to leave out. Measured with
-/// `cargo bench --bench pictures`: on whole pictures of 4 to 9 shapes the list is 1.1 to 1.7 times as fast as `wide`,
+/// `cargo bench -p raytree-benches --bench pictures`: on whole pictures of 4 to 9 shapes the list is 1.1 to 1.7 times as fast as `wide`,
 /// on 36 shapes `wide` is 4 times as fast as the list.
 const FEW: usize = 12;
 
