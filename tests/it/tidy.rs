@@ -1,133 +1,208 @@
-//! The rules of the house, enforced: layers, one concept a file, who may print and who may exit.
+//! The rules of the house, enforced, and that each of them can fail.
+
+mod circles;
+mod house;
+mod lexer;
+mod rules;
+mod uses;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// From the ground up: a file may use its own layer and those before it.
-const LAYERS: [&str; 12] = [
-    "math", "geometry", "probe", "accel", "shading", "scene", "world", "tracer", "trace", "lab",
-    "cli", "tui",
-];
+use house::{House, sources};
 
-/// The faces: only they may talk to a user. Each may use all the rest.
-const FACES: [&str; 2] = ["cli", "tui"];
-
-/// The one file that may be `unsafe`: it calls what was compiled for the instructions that it found.
-const UNSAFE: &str = "accel/simd/x86.rs";
-
-/// A file of more lines holds more than one concept.
-const LONGEST: usize = 450;
-
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).expect("the source folder is there") {
-        let path = entry.expect("readable").path();
-        if path.is_dir() {
-            files.extend(sources(&path));
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            files.push(path);
-        }
-    }
-    files.sort();
-    files
+fn house() -> House {
+    let house = House::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
+    assert!(house.files.len() > 30, "the house is here");
+    house
 }
 
-/// Every source file: its layer (`None` for lib.rs and main.rs), name and text.
-fn house() -> Vec<(Option<usize>, String, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let files = sources(&root);
-    assert!(files.len() > 30, "the house is here");
-    let describe = |path: PathBuf| {
-        let name = path
-            .strip_prefix(&root)
-            .expect("below src")
-            .display()
-            .to_string();
-        let first = name.split(['/', '\\', '.']).next().unwrap_or_default();
-        let layer = LAYERS.iter().position(|l| *l == first);
-        let text = fs::read_to_string(&path).expect("UTF-8");
-        (layer, name, text)
-    };
-    files.into_iter().map(describe).collect()
+/// A house of these files, by name and text.
+fn made(files: &[(&str, &str)]) -> House {
+    let owned = |(name, text): &(&str, &str)| ((*name).to_string(), (*text).to_string());
+    House::of(files.iter().map(owned))
 }
 
-/// The code without comments and without its tests, which stand at the end of a file.
-fn code(text: &str) -> String {
-    let body = text
-        .split("#[cfg(test)]\nmod tests")
-        .next()
-        .unwrap_or_default();
-    body.lines()
-        .map(|line| line.split("//").next().unwrap_or_default())
-        .collect::<Vec<_>>()
-        .join("\n")
+#[track_caller]
+fn holds(broken: &[String]) {
+    assert!(broken.is_empty(), "\n{}\n", broken.join("\n"));
 }
 
-/// The layers that a text names by `crate::layer`.
-fn used(code: &str) -> Vec<usize> {
-    let after = code.split("crate::").skip(1);
-    after
-        .filter_map(|rest| {
-            let name: String = rest
-                .chars()
-                .take_while(|c| c.is_alphanumeric() || *c == '_')
-                .collect();
-            LAYERS.iter().position(|l| *l == name)
-        })
-        .collect()
+/// Exactly one thing breaks the rule, in words that have these in them.
+#[track_caller]
+fn fails(broken: &[String], words: &str) {
+    assert!(matches!(broken, [one] if one.contains(words)), "{broken:?}");
 }
 
 #[test]
 fn a_layer_uses_only_those_below_it() {
-    for (layer, name, text) in house() {
-        let Some(layer) = layer else { continue };
-        assert!(
-            !code(&text).contains("use crate::{"),
-            "{name}: name each layer in a line of its own"
-        );
-        for other in used(&code(&text)) {
-            assert!(
-                other <= layer || FACES.contains(&LAYERS[layer]),
-                "{name} (layer {}) uses `{}`, which stands above it",
-                LAYERS[layer],
-                LAYERS[other]
-            );
-        }
-    }
+    holds(&rules::layers(&house()));
 }
 
 #[test]
 fn the_rule_of_layers_can_fail() {
-    assert_eq!(
-        used(&code(
-            "use crate::trace::tree;\nfn f() { crate::math::g() }"
-        )),
-        [8, 0]
+    let uses = |text| rules::layers(&made(&[("probe.rs", text)]));
+    fails(&uses("use crate::trace::tree;"), "`trace`");
+    fails(&uses("fn f() { super::tui::g() }"), "`tui`");
+    fails(
+        &uses("use super::scene; fn f() -> scene::World {}"),
+        "`scene`",
     );
-    assert!(used(&code("// use crate::trace")).is_empty());
+    holds(&uses(
+        "// use crate::trace\nuse crate::math::Ray; fn f() { \"crate::tui\" }",
+    ));
+    fails(&rules::layers(&made(&[("cellar.rs", "")])), "no layer");
+}
+
+#[test]
+fn a_layer_is_left_by_the_path_from_the_root() {
+    holds(&rules::ways_out(&house()));
+}
+
+#[test]
+fn the_rule_of_ways_out_can_fail() {
+    let uses = |text| rules::ways_out(&made(&[("probe/words.rs", text)]));
+    fails(&uses("use super::super::math::Ray;"), "write `crate::`");
+    fails(
+        &uses("fn f() { super::super::math::g() }"),
+        "write `crate::`",
+    );
+    fails(&uses("use crate::{math, geometry};"), "a line of its own");
+    holds(&uses("use super::Probe; use crate::math::Ray;"));
+}
+
+#[test]
+fn the_rule_of_circles_can_fail() {
+    let told = |a, b, layer| {
+        let files = [
+            ("lib.rs", "mod l;"),
+            ("l.rs", layer),
+            ("l/a.rs", a),
+            ("l/b.rs", b),
+        ];
+        circles::told(&made(&files))
+    };
+    let layer = "mod a; mod b; pub use a::A; pub use b::B; pub struct L(A);";
+    let (a, b) = ("pub struct A;", "pub struct B(super::A);");
+    holds(&told(a, b, layer));
+    fails(
+        &told("use super::b::B; pub struct A;", b, layer),
+        "l/a -> l/b",
+    );
+    fails(
+        &told("pub fn f() -> crate::l::B {}\npub struct A;", b, layer),
+        "l/b -> l/a",
+    );
+    fails(
+        &told(
+            "use crate::l; pub fn f(_: l::B) {}\npub struct A;",
+            b,
+            layer,
+        ),
+        "a circle of 2",
+    );
+    // What is shared with the parts is no circle.
+    holds(&told("pub struct A(super::L);", b, layer));
 }
 
 #[test]
 fn every_file_says_what_it_is_and_stays_short() {
-    for (_, name, text) in house() {
-        assert!(text.starts_with("//! "), "{name} begins with what it is");
-        let lines = text.lines().count();
-        assert!(lines <= LONGEST, "{name} has {lines} lines");
-    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let all = ["src", "tests", "benches"]
+        .iter()
+        .flat_map(|folder| sources(&root.join(folder)));
+    let texts: Vec<(String, String)> = all
+        .map(|path| {
+            let name = path.strip_prefix(root).expect("below it").display();
+            (name.to_string(), fs::read_to_string(&path).expect("UTF-8"))
+        })
+        .collect();
+    let texts = || {
+        texts
+            .iter()
+            .map(|(name, text)| (name.as_str(), text.as_str()))
+    };
+    holds(&rules::long_files(texts()));
+}
+
+#[test]
+fn the_rule_of_long_files_can_fail() {
+    let long = format!("//! It is long.\n{}", "\n".repeat(450));
+    fails(
+        &rules::long_files([("a.rs", long.as_str())].into_iter()),
+        "451 lines",
+    );
+    fails(
+        &rules::long_files([("a.rs", "use b;")].into_iter()),
+        "what it is",
+    );
+}
+
+#[test]
+fn the_rule_of_long_functions_can_fail() {
+    let function = |lines: usize| {
+        let text = format!(
+            "// a\nfn f() {{\n{}// b\n\n}}\nfn g();\n",
+            "h();\n".repeat(lines - 2)
+        );
+        rules::long_functions(&made(&[("math.rs", &text)]))
+    };
+    holds(&function(70));
+    fails(&function(71), "`f` has 71 lines");
+}
+
+#[test]
+fn the_rule_of_names_can_fail() {
+    let two = |a, b| rules::names_of_two(&made(&[("math.rs", a), ("tui/rows.rs", b)]));
+    fails(
+        &two("struct Row;", "enum Row {}"),
+        "`Row` is a type in math.rs and in tui/rows.rs",
+    );
+    holds(&two(
+        "struct Row;",
+        "fn f() { struct Row; }\nimpl I for K { type Row = u8; }",
+    ));
+}
+
+#[test]
+fn the_rule_of_comments_can_fail() {
+    let comment = |text| rules::empty_comments(&made(&[("math.rs", text)]));
+    fails(&comment("    /// The same, but longer.\n"), "math.rs:1");
+    holds(&comment("/// A ray.\n/// The same as above.\n"));
 }
 
 #[test]
 fn only_faces_print_and_only_main_exits() {
-    for (layer, name, text) in house() {
-        let code = code(&text);
-        let face = layer.is_some_and(|l| FACES.contains(&LAYERS[l]));
-        for word in ["println!", "print!(", "dbg!("] {
-            assert!(face || !code.contains(word), "{name} uses {word}");
-        }
-        assert!(!code.contains("process::exit"), "{name} exits");
-        for word in ["todo!(", "unimplemented!(", "unsafe {"] {
-            let allowed = word == "unsafe {" && name.replace('\\', "/") == UNSAFE;
-            assert!(allowed || !code.contains(word), "{name} uses {word}");
-        }
-    }
+    holds(&rules::manners(&house()));
+}
+
+#[test]
+fn the_rule_of_manners_can_fail() {
+    let in_layer = |name, text| rules::manners(&made(&[(name, text)]));
+    fails(
+        &in_layer("math.rs", "fn f() { println!(\"a\") }"),
+        "println",
+    );
+    holds(&in_layer("cli.rs", "fn f() { println!(\"a\") }"));
+    fails(
+        &in_layer("cli.rs", "fn f() { std::process::exit(1) }"),
+        "process",
+    );
+    fails(&in_layer("cli.rs", "fn f() { todo!() }"), "todo");
+    fails(
+        &in_layer("accel/simd.rs", "fn f() { unsafe { g() } }"),
+        "unsafe",
+    );
+}
+
+#[test]
+fn a_probe_is_told_by_the_macro() {
+    holds(&rules::told_directly(&house()));
+}
+
+#[test]
+fn the_rule_of_telling_can_fail() {
+    let told = |text| rules::told_directly(&made(&[("tracer/whitted.rs", text)]));
+    fails(&told("fn f() { self.probe.event(Event::Miss) }"), "tell!");
+    holds(&told("fn f() { tell!(self.probe, Event::Miss) }"));
 }
