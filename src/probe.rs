@@ -27,6 +27,10 @@ macro_rules! tell {
 }
 pub(crate) use tell;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use strum::{EnumDiscriminants, IntoStaticStr};
+
 use crate::geometry::Hit;
 use crate::math::{DVec3, Rgb};
 
@@ -63,15 +67,36 @@ impl Probe for Silent {
 }
 
 /// The four kinds of ray, named as in the lectures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    JsonSchema,
+    IntoStaticStr,
+)]
 pub enum RayKind {
     /// I, incident: from the eye.
+    #[serde(rename = "I")]
+    #[strum(serialize = "I")]
     Incident,
     /// L, to a light (a shadow ray).
+    #[serde(rename = "L")]
+    #[strum(serialize = "L")]
     Light,
     /// R, reflected.
+    #[serde(rename = "R")]
+    #[strum(serialize = "R")]
     Reflected,
     /// T, transmitted (refracted).
+    #[serde(rename = "T")]
+    #[strum(serialize = "T")]
     Transmitted,
 }
 
@@ -86,12 +111,7 @@ impl RayKind {
 
     /// The letter of the lectures.
     pub fn letter(self) -> &'static str {
-        match self {
-            Self::Incident => "I",
-            Self::Light => "L",
-            Self::Reflected => "R",
-            Self::Transmitted => "T",
-        }
+        self.into()
     }
 }
 
@@ -112,7 +132,7 @@ pub enum Event {
         weight: f64,
     },
     /// A ray is sent.
-    Ray(RaySent),
+    Ray(RayRecord),
     /// The ray visits a node of the acceleration structure.
     Visit(Visit),
     /// The ray is tested against a primitive.
@@ -125,7 +145,7 @@ pub enum Event {
         t: f64,
     },
     /// Many shadow rays to an area light follow: each of them, or its absence.
-    Bundle {
+    LightSamples {
         /// The light.
         light: u32,
         /// How many.
@@ -184,7 +204,7 @@ pub enum Event {
 
 /// A ray as it is sent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RaySent {
+pub struct RayRecord {
     /// Its kind.
     pub kind: RayKind,
     /// For L rays to an area light the number of the sample, else 0.
@@ -251,7 +271,9 @@ pub enum Choice {
 }
 
 /// What the test of one primitive found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Verdict {
     /// The closest hit so far (for L rays: a blocker).
     Hit,
@@ -264,7 +286,9 @@ pub enum Verdict {
 }
 
 /// The terms of the shading equation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Term {
     /// What the surface sends out by itself.
     Emission,
@@ -278,8 +302,15 @@ pub enum Term {
     Background,
 }
 
-/// Why a ray was not sent. Absence is recorded as carefully as presence.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Why a ray was not sent, with the number that decided.
+#[derive(Clone, Copy, Debug, PartialEq, EnumDiscriminants)]
+#[strum_discriminants(
+    name(AbsenceReason),
+    doc = "Why a ray was not sent.",
+    derive(Serialize, Deserialize, JsonSchema, IntoStaticStr),
+    serde(rename_all = "kebab-case"),
+    strum(serialize_all = "kebab-case")
+)]
 pub enum Absence {
     /// Snell's law has no answer: k = 1 - (n1/n2)^2 (1 - cos^2) is negative.
     TotalInternalReflection {

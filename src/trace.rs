@@ -3,26 +3,27 @@
 //! The log is the truth. The tree ([`RayTree`]) is a fold of it; stepping ([`Cursor`]) is an index into it; what is
 //! shown beside it is computed again from it with the tracer's own functions ([`mod@explain`]).
 
-pub mod arrival;
-pub mod bundle;
 pub mod counts;
 pub mod cursor;
 pub mod diagram;
 pub mod explain;
+pub mod format;
 pub mod json;
 pub mod ledger;
+pub mod light_estimate;
 pub mod pick;
 pub mod recorder;
+pub mod surface_hit;
 pub mod text;
 pub mod tree;
 
-pub use arrival::{Arrival, Lighting};
-pub use bundle::Bundle;
 pub use counts::Counts;
 pub use cursor::Cursor;
 pub use explain::{Explanation, explain};
-pub use pick::{Seen, seen};
+pub use light_estimate::LightEstimate;
+pub use pick::{Picked, pick};
 pub use recorder::Recorder;
+pub use surface_hit::{Lighting, SurfaceHit};
 pub use tree::{Node, Outcome, RayTree};
 
 use crate::scene::Settings;

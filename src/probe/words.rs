@@ -1,36 +1,20 @@
 //! What things are called, in JSON and in sentences.
 
+use strum::IntoDiscriminant;
+
 use super::{Absence, Choice, Term, Verdict};
 
 impl Term {
     /// Its name in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Emission => "emission",
-            Self::Ambient => "ambient",
-            Self::Diffuse => "diffuse",
-            Self::Specular => "specular",
-            Self::Background => "background",
-        }
+        self.into()
     }
 }
 
 impl Absence {
     /// Its name in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::TotalInternalReflection { .. } => "total-internal-reflection",
-            Self::NoReflection => "no-reflection",
-            Self::NoTransmission => "no-transmission",
-            Self::NoLocalLight => "no-local-light",
-            Self::FacingAway { .. } => "facing-away",
-            Self::OutsideCone { .. } => "outside-cone",
-            Self::BelowSurface { .. } => "below-surface",
-            Self::MinWeight { .. } => "min-weight",
-            Self::DepthLimit => "depth-limit",
-            Self::RayBudget => "ray-budget",
-            Self::EffectOff => "effect-off",
-        }
+        self.discriminant().into()
     }
 }
 
@@ -73,12 +57,7 @@ impl Choice {
 impl Verdict {
     /// As JSON says it.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Hit => "hit",
-            Self::Miss => "miss",
-            Self::TooFar => "too-far",
-            Self::Behind => "behind",
-        }
+        self.into()
     }
 
     /// What it means, in words.

@@ -1,11 +1,15 @@
 //! The place where a ray meets a surface, with all that shading asks for. Built once, after the closest hit is known.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::geometry::SurfacePoint;
 use crate::math::rounding::offset_origin;
 use crate::math::{DVec2, DVec3};
 
 /// Which side of a surface the ray came to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum Side {
     /// The outside: the geometric normal points against the ray.
     Front,

@@ -86,7 +86,7 @@ impl Cursor {
         let after = tree
             .nodes
             .partition_point(|n| n.first_event as usize <= self.position);
-        let node = tree.nodes[after..].iter().find(|n| n.sent.kind == kind)?;
+        let node = tree.nodes[after..].iter().find(|n| n.ray.kind == kind)?;
         Some(Self::at(tree, node.first_event as usize))
     }
 
@@ -95,7 +95,7 @@ impl Cursor {
         let before = tree
             .nodes
             .partition_point(|n| (n.first_event as usize) < self.position);
-        let node = tree.nodes[..before].iter().rfind(|n| n.sent.kind == kind)?;
+        let node = tree.nodes[..before].iter().rfind(|n| n.ray.kind == kind)?;
         Some(Self::at(tree, node.first_event as usize))
     }
 

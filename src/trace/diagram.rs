@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use super::View;
-use super::explain::num;
+use super::format::num;
 use super::tree::Outcome;
 use crate::probe::{Event, RayKind};
 
@@ -28,7 +28,7 @@ fn figures(view: View) -> (Vec<Figure>, usize) {
     let figures = (0..count.min(MAX_NODES) as u32).map(|id| {
         let node = tree.node(id);
         let name = |primitive| view.world.scene.object_of(primitive).name.clone();
-        let light = node.sent.kind == RayKind::Light;
+        let light = node.ray.kind == RayKind::Light;
         let fill = match node.outcome {
             Some(Outcome::Lit) => [255, 244, 190],
             Some(Outcome::Blocked(_)) => [60, 60, 60],
@@ -38,9 +38,9 @@ fn figures(view: View) -> (Vec<Figure>, usize) {
             id,
             parent: node.parent,
             title: if light {
-                format!("L {}", view.light_name(node.sent.light))
+                format!("L {}", view.light_name(node.ray.light))
             } else {
-                format!("{} {id}", node.sent.kind.letter())
+                format!("{} {id}", node.ray.kind.letter())
             },
             end: match node.outcome {
                 Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => {
@@ -50,9 +50,9 @@ fn figures(view: View) -> (Vec<Figure>, usize) {
                 Some(Outcome::Lit) => "lit".to_owned(),
                 None => "cut".to_owned(),
             },
-            share: format!("{:.1} %", view.share(id) * 100.0),
+            share: format!("{:.1} %", view.fraction(id) * 100.0),
             fill,
-            color: match node.sent.kind {
+            color: match node.ray.kind {
                 RayKind::Incident => "#444444",
                 RayKind::Light => "#b8860b",
                 RayKind::Reflected => "#c03030",

@@ -8,7 +8,8 @@ mod surface;
 mod traversal;
 
 use super::View;
-use crate::math::{DVec3, Rgb};
+use super::format::rgb;
+use crate::math::Rgb;
 use crate::probe::{Event, NONE};
 
 /// An event, explained.
@@ -83,7 +84,7 @@ pub fn explain(view: View, index: usize) -> Explanation {
             verdict,
             t,
         } => traversal::test(view, node, primitive, verdict, t),
-        Event::Bundle { light, .. } => surface::bundle(view, node, light),
+        Event::LightSamples { light, .. } => surface::bundle(view, node, light),
         Event::Hit(_) => surface::hit(view, node),
         Event::Miss => ray::miss(view),
         Event::Lit => ray::lit(view, node),
@@ -106,66 +107,5 @@ pub fn explain(view: View, index: usize) -> Explanation {
             reason,
         } => surface::absent(view, node, kind, light, reason),
         Event::Return { radiance } => ray::returned(view, node, radiance),
-    }
-}
-
-/// A number to read: five decimals at most, no trailing zeros, powers of ten where it needs them.
-pub fn num(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    if !x.is_finite() {
-        return if x.is_nan() {
-            "none".to_owned()
-        } else {
-            "infinite".to_owned()
-        };
-    }
-    if (1e-4..1e7).contains(&x.abs()) {
-        let fixed = format!("{x:.5}");
-        return fixed.trim_end_matches('0').trim_end_matches('.').to_owned();
-    }
-    format!("{x:.3e}")
-}
-
-/// A vector to read.
-pub fn vec3(v: DVec3) -> String {
-    format!("({}, {}, {})", num(v.x), num(v.y), num(v.z))
-}
-
-/// A colour to read.
-pub fn rgb(c: Rgb) -> String {
-    format!("({}, {}, {})", num(c.r), num(c.g), num(c.b))
-}
-
-/// An angle, given by its cosine, in degrees.
-fn degrees(cos: f64) -> String {
-    format!(
-        "{:.2} degrees",
-        libm::acos(cos.clamp(-1.0, 1.0)).to_degrees()
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_short_and_honest() {
-        let text = [
-            0.0,
-            1.0,
-            -0.5,
-            1.0 / 3.0,
-            1e-9,
-            12_345_678.0,
-            f64::INFINITY,
-            f64::NAN,
-        ]
-        .map(num);
-        let expected = [
-            "0", "1", "-0.5", "0.33333", "1.000e-9", "1.235e7", "infinite", "none",
-        ];
-        assert_eq!(text, expected);
     }
 }

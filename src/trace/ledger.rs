@@ -63,10 +63,10 @@ pub fn entries(tree: &RayTree, id: u32) -> Vec<Entry> {
     });
     let children = tree.children(id).filter_map(|node| {
         let child = tree.node(node);
-        (child.sent.kind != RayKind::Light).then_some(Entry::Child {
+        (child.ray.kind != RayKind::Light).then_some(Entry::Child {
             node,
-            kind: child.sent.kind,
-            weight: child.sent.weight,
+            kind: child.ray.kind,
+            weight: child.ray.weight,
             radiance: child.radiance,
         })
     });
@@ -86,7 +86,7 @@ pub fn first_open(tree: &RayTree) -> Option<u32> {
     (0..tree.nodes.len() as u32).find(|&id| {
         let node = tree.node(id);
         let sum = sum(tree, id);
-        node.sent.kind != RayKind::Light && sum != node.radiance && sum.is_finite()
+        node.ray.kind != RayKind::Light && sum != node.radiance && sum.is_finite()
     })
 }
 

@@ -6,7 +6,7 @@ use crate::world::World;
 
 /// What stands behind the middle of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen<'a> {
+pub struct Picked<'a> {
     /// The object's name.
     pub object: &'a str,
     /// What kind of shape was hit.
@@ -18,11 +18,11 @@ pub struct Seen<'a> {
 }
 
 /// The first thing that a ray from the eye through the middle of pixel (x, y) meets; `None` if it meets nothing.
-pub fn seen<'a>(world: &'a World, settings: &Settings, (x, y): (u32, u32)) -> Option<Seen<'a>> {
+pub fn pick<'a>(world: &'a World, settings: &Settings, (x, y): (u32, u32)) -> Option<Picked<'a>> {
     let middle = [f64::from(x) + 0.5, f64::from(y) + 0.5];
     let ray = world.scene.camera.ray(middle, settings.size());
     let hit = world.closest(&ray, 0.0, &mut Silent)?;
-    Some(Seen {
+    Some(Picked {
         object: &world.scene.object_of(hit.primitive).name,
         shape: world.scene.shapes[hit.primitive as usize].kind(),
         material: &world.scene.material_of(hit.primitive).name,

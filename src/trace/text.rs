@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::explain::{num, rgb, vec3};
+use super::format::{num, rgb, vec3};
 use super::tree::Outcome;
-use super::{Bundle, View};
+use super::{LightEstimate, View};
 use crate::probe::{Event, NONE, RayKind};
 
 /// A recorded pixel, written as text by `Display`.
@@ -63,7 +63,7 @@ fn subtree(f: &mut fmt::Formatter, view: View, root: u32) -> fmt::Result {
                 writeln!(f, "{rest}{bar}{line}")?;
             }
         }
-        for bundle in view.bundles(id) {
+        for bundle in view.light_estimates(id) {
             writeln!(f, "{rest}{bar}{}", bundle_line(view, &bundle))?;
         }
         for (i, child) in children.iter().enumerate().rev() {
@@ -82,7 +82,7 @@ fn subtree(f: &mut fmt::Formatter, view: View, root: u32) -> fmt::Result {
 /// One line for a ray: kind, end, and what it brings.
 pub fn summary(view: View, id: u32) -> String {
     let node = view.trace.tree.node(id);
-    let letter = node.sent.kind.letter();
+    let letter = node.ray.kind.letter();
     let end = match node.outcome {
         Some(Outcome::Hit(hit)) => {
             let object = &view.world.scene.object_of(hit.primitive).name;
@@ -96,19 +96,19 @@ pub fn summary(view: View, id: u32) -> String {
         }
         None => "not finished".to_owned(),
     };
-    if node.sent.kind == RayKind::Light {
-        return format!("{letter} to {}: {end}", view.light_name(node.sent.light));
+    if node.ray.kind == RayKind::Light {
+        return format!("{letter} to {}: {end}", view.light_name(node.ray.light));
     }
     format!(
         "{letter} {end}, radiance {}, weight {}, {:.1} % of the pixel",
         rgb(node.radiance),
-        rgb(node.sent.weight),
-        view.share(id) * 100.0
+        rgb(node.ray.weight),
+        view.fraction(id) * 100.0
     )
 }
 
 /// One line for the shadow rays to an area light.
-pub fn bundle_line(view: View, bundle: &Bundle) -> String {
+pub fn bundle_line(view: View, bundle: &LightEstimate) -> String {
     let error = bundle
         .standard_error
         .map_or(String::new(), |error| format!(" +- {}", num(error)));

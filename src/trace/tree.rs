@@ -7,7 +7,7 @@
 use super::Recorder;
 use crate::geometry::Hit;
 use crate::math::Rgb;
-use crate::probe::{Event, RaySent};
+use crate::probe::{Event, RayRecord};
 
 /// A ray tree for each sample of a pixel, in one arena, with the log that it was made from.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ pub struct Sample {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
     /// The ray as it was sent.
-    pub sent: RaySent,
+    pub ray: RayRecord,
     /// The node whose hit sent it; `None` for eye rays.
     pub parent: Option<u32>,
     /// The rays of its subtree, itself included.
@@ -95,7 +95,7 @@ impl RayTree {
         };
         let mut open: Vec<u32> = Vec::new();
         for (index, event) in (0..).zip(&tree.events) {
-            if let Event::Ray(sent) = *event {
+            if let Event::Ray(ray) = *event {
                 let id = tree.nodes.len() as u32;
                 let parent = open.last().copied();
                 let throughput = parent.map_or(Rgb::WHITE, |p| tree.nodes[p as usize].throughput);
@@ -105,12 +105,12 @@ impl RayTree {
                     sample.root = Some(id);
                 }
                 tree.nodes.push(Node {
-                    sent,
+                    ray,
                     parent,
                     size: 1,
                     first_event: index,
                     last_event: index,
-                    throughput: throughput * sent.weight,
+                    throughput: throughput * ray.weight,
                     own: Rgb::BLACK,
                     radiance: Rgb::BLACK,
                     outcome: None,
@@ -213,7 +213,7 @@ impl RayTree {
                     sample,
                     value,
                     ..
-                } if (light, sample) == (node.sent.light, node.sent.sample) => Some(value),
+                } if (light, sample) == (node.ray.light, node.ray.sample) => Some(value),
                 _ => None,
             });
         terms.fold(Rgb::BLACK, |sum, value| sum + value)

@@ -10,7 +10,7 @@ use super::foresight::Foreseen;
 use super::lights::{Asker, Bundle, Surface};
 use crate::geometry::Hit;
 use crate::math::{DVec3, Ray, Rgb};
-use crate::probe::{Absence, Event, NONE, Probe, RayKind, RaySent, Term, counting, tell};
+use crate::probe::{Absence, Event, NONE, Probe, RayKind, RayRecord, Term, counting, tell};
 use crate::scene::{Budget, Effect, Settings};
 use crate::shading::{Interaction, Material, optics, phong};
 use crate::world::Entered;
@@ -294,7 +294,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
         self.spent += u64::from(path.depth > 0);
         tell!(
             self.probe,
-            Event::Ray(RaySent {
+            Event::Ray(RayRecord {
                 kind: path.kind,
                 sample: 0,
                 depth: path.depth,

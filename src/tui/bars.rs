@@ -12,7 +12,7 @@ use super::theme;
 use crate::math::Rgb;
 use crate::scene::effects::Finding;
 use crate::scene::{Settings, flags};
-use crate::trace::explain::num;
+use crate::trace::format::num;
 
 /// How long a pixel may take before a spinner turns, in milliseconds.
 const PATIENCE: u128 = 100;

@@ -15,7 +15,7 @@ use crate::tracer::picture::ColorLevel;
 pub fn title(session: &Session) -> Line<'static> {
     let (here, count) = (session.cursor().position(), session.tree().events.len());
     let ray = session.node().map_or_else(String::new, |id| {
-        let sent = &session.tree().node(id).sent;
+        let sent = &session.tree().node(id).ray;
         format!(", ray {id} ({}), depth {}", sent.kind.letter(), sent.depth)
     });
     Line::raw(format!(

@@ -86,11 +86,11 @@ impl App {
     /// Looks what stands behind the pixel under the cursor, and how it nears its value if that is shown.
     pub fn look(&mut self) {
         self.restart_nearing();
-        let seen = crate::trace::seen(&self.world, &self.settings, self.picture.cursor);
+        let seen = crate::trace::pick(&self.world, &self.settings, self.picture.cursor);
         self.seen = seen.map_or_else(
             || "nothing: the background".to_owned(),
             |seen| {
-                let t = crate::trace::explain::num(seen.t);
+                let t = crate::trace::format::num(seen.t);
                 format!("{} ({}) at t = {t}", seen.object, seen.shape)
             },
         );

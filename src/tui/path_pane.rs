@@ -99,7 +99,7 @@ fn shown(session: &Session) -> Aabb {
         return session.extent;
     };
     let node = session.tree().node(id);
-    let ray = Ray::new(node.sent.origin, node.sent.direction);
+    let ray = Ray::new(node.ray.origin, node.ray.direction);
     let end = match node.outcome {
         Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => ray.at(hit.t),
         _ => ray.origin,
@@ -141,7 +141,7 @@ impl Drawing<'_> {
         let shown = tree.nodes.iter().take(MAX_DRAWN);
         for node in shown {
             let [a, b] = self.ends(node);
-            self.line(context, a, b, theme::kind_color(node.sent.kind));
+            self.line(context, a, b, theme::kind_color(node.ray.kind));
         }
         if let Some(id) = current {
             self.thick(context, tree.node(id));
@@ -152,7 +152,7 @@ impl Drawing<'_> {
                 self.print(
                     context,
                     hit,
-                    Span::styled("•", theme::kind_style(node.sent.kind)),
+                    Span::styled("•", theme::kind_style(node.ray.kind)),
                 );
             }
         }
@@ -167,18 +167,18 @@ impl Drawing<'_> {
         if let Some(id) = current {
             let node = tree.node(id);
             let [_, end] = self.ends(node);
-            let style = theme::kind_style(node.sent.kind);
+            let style = theme::kind_style(node.ray.kind);
             self.print(context, end, Span::styled("●", style));
         }
     }
 
     /// Where a ray starts and where it ends, or leaves the drawing.
     fn ends(&self, node: &Node) -> [DVec3; 2] {
-        let ray = Ray::new(node.sent.origin, node.sent.direction);
+        let ray = Ray::new(node.ray.origin, node.ray.direction);
         let far = 2.0 * ((self.x[1] - self.x[0]) + (self.y[1] - self.y[0]));
         let t = match node.outcome {
             Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => hit.t,
-            _ => node.sent.t_max.min(far),
+            _ => node.ray.t_max.min(far),
         };
         [ray.origin, ray.at(t)]
     }
@@ -203,7 +203,7 @@ impl Drawing<'_> {
                 context,
                 aside(a),
                 aside(b),
-                theme::kind_color(node.sent.kind),
+                theme::kind_color(node.ray.kind),
             );
         }
     }

@@ -61,7 +61,7 @@ impl Rows {
                     (Some(nodes - 1), sender, Some(sent.light), RowKind::Ray)
                 }
                 Event::Absent { light, .. } => (parent(), parent(), Some(*light), RowKind::Absent),
-                Event::Bundle { .. } => (parent(), None, None, RowKind::Bundle),
+                Event::LightSamples { .. } => (parent(), None, None, RowKind::Bundle),
                 _ => continue,
             };
             let Some(node) = node else { continue };
@@ -69,7 +69,7 @@ impl Rows {
                 RowKind::Ray => tree.node(node).last_event,
                 RowKind::Absent | RowKind::Bundle => event,
             };
-            if let Event::Bundle { light, .. } = what {
+            if let Event::LightSamples { light, .. } = what {
                 bundle = Some((all.len(), node, *light));
                 closed.insert(event);
             } else if let Some((row, sent_by, to)) = bundle
@@ -193,7 +193,7 @@ impl Rows {
 
     /// How deep a row stands in the tree.
     pub fn depth(tree: &RayTree, row: Row) -> u32 {
-        tree.node(row.node).sent.depth + u32::from(row.kind != RowKind::Ray)
+        tree.node(row.node).ray.depth + u32::from(row.kind != RowKind::Ray)
     }
 
     /// The ray on whose hit a row hangs.

@@ -173,15 +173,15 @@ fn extent(view: View) -> Aabb {
     let tree = &view.trace.tree;
     let nodes = (0..tree.nodes.len().min(MAX_DRAWN) as u32).filter(|id| {
         let node = tree.node(*id);
-        node.sent.kind != RayKind::Light
-            && (node.parent.is_none() || view.share(*id) >= VISIBLE_SHARE)
+        node.ray.kind != RayKind::Light
+            && (node.parent.is_none() || view.fraction(*id) >= VISIBLE_SHARE)
     });
     let (mut points, mut met) = (Aabb::EMPTY, Vec::new());
     for id in nodes {
         let node = tree.node(id);
-        points = points.union(Aabb::around([node.sent.origin]));
+        points = points.union(Aabb::around([node.ray.origin]));
         if let Some(Outcome::Hit(hit)) = node.outcome {
-            let ray = Ray::new(node.sent.origin, node.sent.direction);
+            let ray = Ray::new(node.ray.origin, node.ray.direction);
             points = points.union(Aabb::around([ray.at(hit.t)]));
             met.push(view.world.scene.owners[hit.primitive as usize]);
         }

@@ -9,7 +9,7 @@ use super::draw::write;
 use super::session::Session;
 use super::theme;
 use crate::probe::{Choice, Event, NONE, Verdict, Visit};
-use crate::trace::explain::num;
+use crate::trace::format::num;
 
 /// Its title.
 pub fn title(session: &Session) -> Line<'static> {

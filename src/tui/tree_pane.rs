@@ -10,7 +10,7 @@ use super::rows::{Row, RowKind, Rows};
 use super::session::Session;
 use super::theme;
 use crate::probe::{Event, RayKind};
-use crate::trace::explain::num;
+use crate::trace::format::num;
 use crate::trace::{Node, Outcome};
 use crate::tracer::picture::ColorLevel;
 
@@ -91,7 +91,7 @@ fn draw_row(
     } else {
         let node = session.tree().node(row.node);
         line.push_span(Span::raw(fold));
-        let kind = node.sent.kind;
+        let kind = node.ray.kind;
         line.push_span(Span::styled(kind.letter(), theme::kind_style(kind)));
         line.push_span(Span::raw(format!(" {}", name(session, node))));
         columns(session, row.node, level)
@@ -116,8 +116,8 @@ fn draw_row(
 fn name(session: &Session, node: &Node) -> String {
     let scene = &session.world.scene;
     let object = |primitive| &scene.object_of(primitive).name;
-    let to = if node.sent.kind == RayKind::Light {
-        format!("to {}: ", session.view().light_name(node.sent.light))
+    let to = if node.ray.kind == RayKind::Light {
+        format!("to {}: ", session.view().light_name(node.ray.light))
     } else {
         String::new()
     };
@@ -133,10 +133,10 @@ fn name(session: &Session, node: &Node) -> String {
 /// The rays to an area light, together: writes the name, gives the share of the pixel and the colour.
 fn bundle(session: &Session, row: Row, level: ColorLevel, line: &mut Line) -> Line<'static> {
     let (view, tree) = (session.view(), session.tree());
-    let Some(Event::Bundle { light, samples }) = tree.events.get(row.event as usize) else {
+    let Some(Event::LightSamples { light, samples }) = tree.events.get(row.event as usize) else {
         return Line::default();
     };
-    let bundle = view.bundle(row.node, *light);
+    let bundle = view.light_estimate(row.node, *light);
     let name = view.light_name(*light);
     line.push_span(Span::raw(format!(
         " {samples} to {name}: {} lit, {} blocked",
@@ -162,11 +162,11 @@ fn columns(session: &Session, id: u32, level: ColorLevel) -> Line<'static> {
     let node = session.tree().node(id);
     let t = match node.outcome {
         Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => num3(hit.t),
-        Some(Outcome::Lit) => num3(node.sent.t_max),
+        Some(Outcome::Lit) => num3(node.ray.t_max),
         _ => "∞".to_owned(),
     };
-    let share = format!("{:.1}", session.view().share(id) * 100.0);
-    let color = if node.sent.kind == RayKind::Light {
+    let share = format!("{:.1}", session.view().fraction(id) * 100.0);
+    let color = if node.ray.kind == RayKind::Light {
         session.tree().lit_by(id)
     } else {
         node.radiance

@@ -337,7 +337,7 @@ fn a_light_does_not_stand_in_its_own_way_at_any_scale() {
                         settings: &settings,
                         trace: &trace,
                     };
-                    for bundle in view.bundles(0) {
+                    for bundle in view.light_estimates(0) {
                         lit += bundle.lit;
                         blocked += bundle.blocked;
                     }
@@ -383,7 +383,7 @@ fn a_light_does_not_stand_in_its_own_way_above_a_large_floor() {
                 settings: &settings,
                 trace: &trace,
             };
-            let bundles = view.bundles(0);
+            let bundles = view.light_estimates(0);
             assert!(
                 !bundles.is_empty() && bundles.iter().all(|b| b.blocked == 0),
                 "{edge}, {at:?}"

@@ -27,7 +27,10 @@ fn blocked(world: &World, settings: &Settings) -> u32 {
         settings,
         trace: &trace,
     };
-    view.bundles(0).iter().map(|bundle| bundle.blocked).sum()
+    view.light_estimates(0)
+        .iter()
+        .map(|bundle| bundle.blocked)
+        .sum()
 }
 
 #[test]

@@ -17,7 +17,7 @@ fn bundle(world: &World, settings: &Settings) -> (f64, f64) {
         settings,
         trace: &trace,
     };
-    let bundles = view.bundles(0);
+    let bundles = view.light_estimates(0);
     let bundle = bundles.first().expect("one light");
     (f64::from(bundle.lit), f64::from(bundle.blocked))
 }

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
 use raytree::math::{DVec3, Rgb};
-use raytree::probe::{Event, NONE, Probe, RayKind, RaySent};
+use raytree::probe::{Event, NONE, Probe, RayKind, RayRecord};
 use raytree::scene::{self, Settings};
 use raytree::trace::{
     Cursor, PixelTrace, RayTree, Recorder, View, explain, json, ledger, trace_pixel,
@@ -152,7 +152,7 @@ fn binary<P: Probe>(probe: &mut P, depth: u32, levels: u32) -> Rgb {
     } else {
         Rgb::grey(0.5)
     };
-    probe.event(Event::Ray(RaySent {
+    probe.event(Event::Ray(RayRecord {
         kind,
         sample: 0,
         depth,

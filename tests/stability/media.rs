@@ -53,7 +53,7 @@ fn follow(world: &World, size: u32, solids: &[Solid], make: Make) -> Met {
     let mut met = Met::default();
     let check = |met: &mut Met, trace: &PixelTrace| {
         for (id, node) in trace.tree.nodes.iter().enumerate() {
-            let sent = &node.sent;
+            let sent = &node.ray;
             let place = || format!("pixel ({}, {}), ray {id}", trace.x, trace.y);
             let end = match node.outcome {
                 _ if sent.kind == RayKind::Light => continue,
@@ -144,7 +144,7 @@ fn case_66_the_eye_knows_what_it_is_in() {
                 let solids = vessel(overlap);
                 let world = world(&solids, make, eye, AccelKind::default());
                 let trace = trace_pixel(&world, &settings(1), (0, 0), false);
-                let medium = trace.tree.node(0).sent.medium;
+                let medium = trace.tree.node(0).ray.medium;
                 assert_eq!(world.scene.medium_name(medium), name);
             }
         }
@@ -170,7 +170,7 @@ fn straight(world: &World, start: f64) -> (Vec<f64>, Vec<&str>) {
                 _ => {}
             }
         }
-        let through = |c: &u32| trace.tree.node(*c).sent.kind == RayKind::Transmitted;
+        let through = |c: &u32| trace.tree.node(*c).ray.kind == RayKind::Transmitted;
         match trace.tree.children(id).find(through) {
             Some(next) => id = next,
             None => return (indices, objects),
@@ -211,7 +211,7 @@ fn case_66_open_water_is_entered_by_the_front_and_left_by_the_back() {
             let world = World::new(scene(&text), AccelKind::default());
             let under_water = eye[1] < 0.0;
             let trace = trace_pixel(&world, &settings(1), (0, 0), false);
-            let medium = world.scene.medium_name(trace.tree.node(0).sent.medium);
+            let medium = world.scene.medium_name(trace.tree.node(0).ray.medium);
             assert_eq!(medium, if under_water { "water" } else { "air" });
             let (indices, met) = straight(&world, way[0]);
             assert_eq!((indices, met), (way, objects));

@@ -90,7 +90,7 @@ fn one_pixel(depth: u32, min_weight: f64) -> Settings {
 fn straight(trace: &PixelTrace) -> Vec<u32> {
     let mut way = vec![0];
     while let Some(next) = trace.tree.children(way[way.len() - 1]).find(|c| {
-        let kind = trace.tree.node(*c).sent.kind;
+        let kind = trace.tree.node(*c).ray.kind;
         kind == RayKind::Transmitted
     }) {
         way.push(next);
@@ -143,7 +143,7 @@ fn case_65_a_slab_only_shifts_a_ray() {
         let trace = trace_pixel(&world, &one_pixel(2, 0.0), (0, 0), false);
         let way = straight(&trace);
         assert_eq!(way.len(), 3, "in and out");
-        let (first, last) = (trace.tree.node(way[0]).sent, trace.tree.node(way[2]).sent);
+        let (first, last) = (trace.tree.node(way[0]).ray, trace.tree.node(way[2]).ray);
         let turned = (last.direction - first.direction).length();
         assert!(turned < 1e-15, "{angle}: turned by {turned:e}");
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));

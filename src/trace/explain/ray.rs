@@ -1,10 +1,11 @@
 //! Rays: why they were sent, and what they brought back.
 
-use super::super::View;
-use super::super::ledger::{self, Entry};
-use super::{Explanation, degrees, num, rgb, vec3};
+use super::Explanation;
 use crate::math::Rgb;
-use crate::probe::{Event, RayKind, RaySent};
+use crate::probe::{Event, RayKind, RayRecord};
+use crate::trace::format::{degrees, num, rgb, vec3};
+use crate::trace::ledger::{self, Entry};
+use crate::trace::{SurfaceHit, View};
 
 /// A sample of the pixel begins.
 pub fn sample(view: View, index: u32, [x, y]: [f64; 2], weight: f64) -> Explanation {
@@ -46,7 +47,7 @@ pub fn sample(view: View, index: u32, [x, y]: [f64; 2], weight: f64) -> Explanat
 }
 
 /// A ray sets out.
-pub fn sent(view: View, node: u32, sent: &RaySent) -> Explanation {
+pub fn sent(view: View, node: u32, sent: &RayRecord) -> Explanation {
     let scene = &view.world.scene;
     let base = match sent.kind {
         RayKind::Incident => Explanation::new(
@@ -75,7 +76,7 @@ pub fn sent(view: View, node: u32, sent: &RaySent) -> Explanation {
         .color("throughput", view.trace.tree.node(node).throughput)
 }
 
-fn to_light(view: View, node: u32, sent: &RaySent) -> Explanation {
+fn to_light(view: View, node: u32, sent: &RayRecord) -> Explanation {
     let light = view.light_name(sent.light);
     Explanation::new(
         format!("L: a shadow ray to `{light}`"),
@@ -96,7 +97,7 @@ fn reflected(view: View, node: u32) -> Explanation {
         "R: the reflected ray",
         "A mirror shows what a ray sees that leaves at the same angle on the other side of the normal.",
     );
-    let Some(arrival) = parent_arrival(view, node) else {
+    let Some(arrival) = parent_hit(view, node) else {
         return explanation;
     };
     let (i, n) = (-arrival.at.to_viewer, arrival.at.normal);
@@ -115,12 +116,12 @@ fn reflected(view: View, node: u32) -> Explanation {
         )
 }
 
-fn transmitted(view: View, node: u32, sent: &RaySent) -> Explanation {
+fn transmitted(view: View, node: u32, sent: &RayRecord) -> Explanation {
     let explanation = Explanation::new(
         "T: the transmitted ray",
         "Light bends where its speed changes: towards the normal into the denser medium, away from it on the way out.",
     );
-    let Some(arrival) = parent_arrival(view, node) else {
+    let Some(arrival) = parent_hit(view, node) else {
         return explanation;
     };
     let Some((n1, n2)) = parent_boundary(view, node) else {
@@ -147,8 +148,8 @@ fn transmitted(view: View, node: u32, sent: &RaySent) -> Explanation {
         )
 }
 
-fn parent_arrival(view: View<'_>, node: u32) -> Option<super::super::Arrival<'_>> {
-    view.arrival(view.trace.tree.node(node).parent?)
+fn parent_hit(view: View<'_>, node: u32) -> Option<SurfaceHit<'_>> {
+    view.surface_hit(view.trace.tree.node(node).parent?)
 }
 
 /// The indices of refraction at the surface that sent a ray.
@@ -172,7 +173,7 @@ pub fn miss(view: View) -> Explanation {
 
 /// A shadow ray arrives.
 pub fn lit(view: View, node: u32) -> Explanation {
-    let sent = &view.trace.tree.node(node).sent;
+    let sent = &view.trace.tree.node(node).ray;
     Explanation::new(
         "lit",
         format!(
@@ -185,9 +186,9 @@ pub fn lit(view: View, node: u32) -> Explanation {
 
 /// A shadow ray is stopped.
 pub fn blocked(view: View, node: u32) -> Explanation {
-    let sent = &view.trace.tree.node(node).sent;
+    let sent = &view.trace.tree.node(node).ray;
     let light = view.light_name(sent.light);
-    let Some(arrival) = view.arrival(node) else {
+    let Some(arrival) = view.surface_hit(node) else {
         return Explanation::new("blocked", format!("Something stands before `{light}`."));
     };
     let note = if arrival.material.is_transmissive() {
@@ -225,17 +226,17 @@ pub fn self_hit(view: View, node: u32, explanation: Explanation) -> Explanation 
 pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
     let tree = &view.trace.tree;
     let this = tree.node(node);
-    if this.sent.kind == RayKind::Light {
+    if this.ray.kind == RayKind::Light {
         return Explanation::new(
             "the shadow ray is done",
             "Its answer is lit or blocked; the light's terms are added where it was sent.",
         );
     }
     let mut explanation = Explanation::new(
-        format!("{} brings back its sum", this.sent.kind.letter()),
+        format!("{} brings back its sum", this.ray.kind.letter()),
         "The terms and the weighted rays, added in this order, are the radiance to the last bit.",
     );
-    for bundle in view.bundles(node) {
+    for bundle in view.light_estimates(node) {
         let light = view.light_name(bundle.light);
         let name = format!("+ {light}, {} samples", bundle.lit);
         explanation = explanation.color(name, bundle.mean);
@@ -263,7 +264,7 @@ pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
             rgb(this.throughput),
             rgb(radiance),
             rgb(this.total()),
-            view.share(node) * 100.0
+            view.fraction(node) * 100.0
         ),
     )
 }

@@ -1,19 +1,20 @@
 //! Surfaces: where a ray arrived, and the terms of the shading equation.
 
-use super::super::{Arrival, Lighting, View};
-use super::{Explanation, degrees, num, ray, rgb, vec3};
+use super::{Explanation, ray};
 use crate::geometry::{Hit, Offset};
 use crate::math::{Ray, Rgb};
 use crate::probe::{Absence, NONE, RayKind, Term};
 use crate::shading::Side;
+use crate::trace::format::{degrees, num, rgb, vec3};
+use crate::trace::{Lighting, SurfaceHit, View};
 
 /// A ray hits a surface.
 pub fn hit(view: View, node: u32) -> Explanation {
-    let Some(arrival) = view.arrival(node) else {
+    let Some(arrival) = view.surface_hit(node) else {
         return Explanation::new("hit", "The ray ends on a surface.");
     };
-    let sent = &view.trace.tree.node(node).sent;
-    let Arrival {
+    let sent = &view.trace.tree.node(node).ray;
+    let SurfaceHit {
         hit,
         at,
         object,
@@ -92,7 +93,7 @@ fn base_term(view: View, node: u32, term: Term, light: (u32, u32)) -> Explanatio
     if view.is_area(light.0) {
         name = format!("{name}, sample {}", light.1);
     }
-    let arrival = view.arrival(node);
+    let arrival = view.surface_hit(node);
     let lighting = view.lighting(node, light);
     match (term, arrival, lighting) {
         (Term::Ambient, Some(arrival), _) => Explanation::new(
@@ -147,7 +148,7 @@ fn base_term(view: View, node: u32, term: Term, light: (u32, u32)) -> Explanatio
 pub fn bundle(view: View, node: u32, light: u32) -> Explanation {
     let name = view.light_name(light);
     let n = view.settings.rays_to_area();
-    let bundle = view.bundle(node, light);
+    let bundle = view.light_estimate(node, light);
     let explanation = Explanation::new(
         format!("{n} rays to `{name}`"),
         "How much of the light can be seen from here is guessed from places on it: the more, the nearer to the truth.",
@@ -186,7 +187,7 @@ pub fn bundle(view: View, node: u32, light: u32) -> Explanation {
 /// A ray goes straight through a surface.
 pub fn passed(view: View, node: u32, hit: &Hit, medium: u32) -> Explanation {
     let scene = &view.world.scene;
-    let sent = &view.trace.tree.node(node).sent;
+    let sent = &view.trace.tree.node(node).ray;
     let ray = Ray::new(sent.origin, sent.direction);
     let at = scene.interaction(&ray, hit);
     let object = scene.owners[hit.primitive as usize];
@@ -241,7 +242,7 @@ pub fn boundary(view: View, node: u32, n1: f64, n2: f64, reflectance: f64) -> Ex
         "F",
         format!("{} by the model `{:?}`", num(reflectance), view.settings.fresnel).to_lowercase(),
     );
-    let Some(Arrival { at, material, .. }) = view.arrival(node) else {
+    let Some(SurfaceHit { at, material, .. }) = view.surface_hit(node) else {
         return explanation;
     };
     let (kr, kt) = (material.mirror, material.transmission);
@@ -280,7 +281,7 @@ pub fn absent(view: View, node: u32, kind: RayKind, light: u32, reason: Absence)
         _ => format!("no {} ray", kind.letter()),
     };
     let settings = view.settings;
-    let depth = view.trace.tree.node(node).sent.depth;
+    let depth = view.trace.tree.node(node).ray.depth;
     let (why, name, text) = match reason {
         Absence::TotalInternalReflection { k } => (
             "The ray meets the boundary too flat: Snell's law has no answer, and all light is reflected.",

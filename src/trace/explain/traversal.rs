@@ -1,14 +1,15 @@
 //! The way through the acceleration structure.
 
-use super::super::View;
-use super::{Explanation, num, vec3};
+use super::Explanation;
 use crate::geometry::{Arithmetic, Naive, Shape, Shear};
 use crate::math::{DVec3, Ray};
 use crate::probe::{NONE, Verdict, Visit};
+use crate::trace::View;
+use crate::trace::format::{num, vec3};
 
 /// A node is visited or skipped.
 pub fn visit(view: View, node: u32, visit: &Visit) -> Explanation {
-    let sent = &view.trace.tree.node(node).sent;
+    let sent = &view.trace.tree.node(node).ray;
     let [t0, t1] = visit.interval;
     let explanation = Explanation::new(
         format!("node {}", visit.node),
@@ -57,7 +58,7 @@ fn child(node: u32) -> String {
 pub fn test(view: View, node: u32, primitive: u32, verdict: Verdict, t: f64) -> Explanation {
     let scene = &view.world.scene;
     let shape = &scene.shapes[primitive as usize];
-    let sent = &view.trace.tree.node(node).sent;
+    let sent = &view.trace.tree.node(node).ray;
     let mut explanation = Explanation::new(
         format!(
             "test {} {}: {}",

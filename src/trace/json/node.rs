@@ -6,18 +6,18 @@ use super::{
 use crate::math::{DVec3, Rgb};
 use crate::probe::{Absence, Event, NONE, RayKind, Term, Verdict, Visit};
 use crate::shading::Side;
-use crate::trace::Bundle;
+use crate::trace::LightEstimate;
 use crate::trace::View;
-use crate::trace::arrival::Arrival;
+use crate::trace::surface_hit::SurfaceHit;
 use crate::trace::tree::Outcome;
 
 /// One node, its children still to be visited.
 pub fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
     let tree = &view.trace.tree;
     let this = tree.node(id);
-    let sent = &this.sent;
+    let sent = &this.ray;
     let sums = sent.kind != RayKind::Light;
-    let arrival = view.arrival(id);
+    let arrival = view.surface_hit(id);
     let scene = &view.world.scene;
     let mut boundary = None;
     let (mut terms, mut absent, mut traversal) = (Vec::new(), Vec::new(), Vec::new());
@@ -88,7 +88,7 @@ pub fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
         light: light_name(view, sent.light),
         sample: view.is_area(sent.light).then(|| u32::from(sent.sample)),
         bundles: view
-            .bundles(id)
+            .light_estimates(id)
             .iter()
             .map(|b| bundle_node(view, b))
             .collect(),
@@ -102,8 +102,8 @@ pub fn node(view: View<'_>, id: u32) -> Node<Lazy<'_>> {
     }
 }
 
-fn hit_node(arrival: &Arrival) -> HitNode {
-    let Arrival {
+fn hit_node(arrival: &SurfaceHit) -> HitNode {
+    let SurfaceHit {
         hit,
         at,
         object,
@@ -132,7 +132,7 @@ fn hit_node(arrival: &Arrival) -> HitNode {
 fn term_node(
     view: View,
     node: u32,
-    arrival: Option<&Arrival>,
+    arrival: Option<&SurfaceHit>,
     (term, light): (Term, (u32, u32)),
     value: Rgb,
 ) -> TermNode {
@@ -172,7 +172,7 @@ fn term_node(
     }
 }
 
-fn bundle_node(view: View, bundle: &Bundle) -> BundleNode {
+fn bundle_node(view: View, bundle: &LightEstimate) -> BundleNode {
     BundleNode {
         light: view.light_name(bundle.light).to_owned(),
         samples: view.settings.rays_to_area(),

@@ -2,7 +2,7 @@
 
 use super::{Path, Tracer};
 use crate::math::Rgb;
-use crate::probe::{Absence, Event, Probe, RayKind, RaySent, Term, counting, tell};
+use crate::probe::{Absence, Event, Probe, RayKind, RayRecord, Term, counting, tell};
 use crate::scene::Effect;
 use crate::shading::{optics, phong};
 use crate::tracer::area::AreaView;
@@ -35,7 +35,7 @@ impl<P: Probe> Tracer<'_, P> {
             if !P::LISTENS && settings.effects.has(Effect::Shadows) {
                 return self.light_in_a_bundle(sum, facing, light, samples);
             }
-            tell!(self.probe, Event::Bundle { light, samples });
+            tell!(self.probe, Event::LightSamples { light, samples });
         }
         for sample in 0..samples {
             if !self.one_sample(sum, path, facing, (light, sample)) {
@@ -162,7 +162,7 @@ impl<P: Probe> Tracer<'_, P> {
         }
         tell!(
             self.probe,
-            Event::Ray(RaySent {
+            Event::Ray(RayRecord {
                 kind: RayKind::Light,
                 sample: sample as u16,
                 depth: path.depth + 1,

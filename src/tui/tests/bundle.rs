@@ -59,10 +59,10 @@ fn a_thousand_rays_to_a_light_are_as_quick_as_sixteen() {
     let tree = session.tree();
     let mut lit = 0;
     for (id, node) in (0..).zip(&tree.nodes) {
-        let (RayKind::Light, Some(parent)) = (node.sent.kind, node.parent) else {
+        let (RayKind::Light, Some(parent)) = (node.ray.kind, node.parent) else {
             continue;
         };
-        let ours = (node.sent.light, node.sent.sample);
+        let ours = (node.ray.light, node.ray.sample);
         let terms = tree
             .own_events(parent)
             .filter_map(|(_, event)| match *event {

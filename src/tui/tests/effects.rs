@@ -72,7 +72,7 @@ fn an_open_tree_is_traced_again_without_it() {
         let session = app.session.as_ref().expect("a tree");
         let nodes = session.tree().nodes.iter();
         nodes
-            .filter(|n| n.sent.kind == crate::probe::RayKind::Light)
+            .filter(|n| n.ray.kind == crate::probe::RayKind::Light)
             .count()
     };
     assert_eq!(lights(&app), 4 * 16);

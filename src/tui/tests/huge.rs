@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use super::{app, buffer};
 use crate::geometry::Hit;
 use crate::math::{DVec3, Rgb};
-use crate::probe::{Event, NONE, Probe, RayKind, RaySent};
+use crate::probe::{Event, NONE, Probe, RayKind, RayRecord};
 use crate::trace::{PixelTrace, RayTree, Recorder};
 use crate::tracer::Pixel;
 use crate::tui::actions::Action;
@@ -33,7 +33,7 @@ fn huge() -> RayTree {
             });
             continue;
         }
-        recorder.event(Event::Ray(RaySent {
+        recorder.event(Event::Ray(RayRecord {
             kind,
             sample: 0,
             depth,

@@ -7,7 +7,7 @@ use crate::probe::{Event, RayKind};
 
 /// How one place sees an area light: an estimate of an integral, and how far it may be off.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bundle {
+pub struct LightEstimate {
     /// The light.
     pub light: u32,
     /// Samples that arrived at the light.
@@ -25,25 +25,27 @@ pub struct Bundle {
 
 impl View<'_> {
     /// The bundles of a node's hit, light by light.
-    pub fn bundles(self, node: u32) -> Vec<Bundle> {
+    pub fn light_estimates(self, node: u32) -> Vec<LightEstimate> {
         let tree = &self.trace.tree;
         let lights = 0..self.world.scene.lights.len() as u32;
         let areas: Vec<u32> = lights.filter(|light| self.is_area(*light)).collect();
-        if areas.is_empty() || tree.node(node).sent.kind == RayKind::Light {
+        if areas.is_empty() || tree.node(node).ray.kind == RayKind::Light {
             return Vec::new();
         }
-        let bundles = areas.into_iter().map(|light| self.bundle(node, light));
+        let bundles = areas
+            .into_iter()
+            .map(|light| self.light_estimate(node, light));
         bundles
             .filter(|bundle| bundle.lit + bundle.blocked > 0)
             .collect()
     }
 
     /// The bundle of a node's hit and one area light.
-    pub fn bundle(self, node: u32, light: u32) -> Bundle {
+    pub fn light_estimate(self, node: u32, light: u32) -> LightEstimate {
         let tree = &self.trace.tree;
         let rays = || tree.children(node).map(|child| tree.node(child));
         let count = |wanted: fn(Outcome) -> bool| {
-            let ours = rays().filter(|ray| ray.sent.light == light);
+            let ours = rays().filter(|ray| ray.ray.light == light);
             ours.filter(|ray| ray.outcome.is_some_and(wanted)).count() as u32
         };
         let lit = count(|outcome| outcome == Outcome::Lit);
@@ -67,7 +69,7 @@ impl View<'_> {
         let mean = brought.iter().fold(Rgb::BLACK, |sum, (_, x)| sum + *x);
         let n = self.settings.rays_to_area();
         let brought = brought.iter().map(|(_, x)| x.luminance());
-        Bundle {
+        LightEstimate {
             light,
             lit,
             blocked,

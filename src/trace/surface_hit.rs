@@ -16,7 +16,7 @@ const CLOSE: f64 = 1e-6;
 
 /// A ray's arrival on a surface, with all that shading used.
 #[derive(Clone, Copy, Debug)]
-pub struct Arrival<'a> {
+pub struct SurfaceHit<'a> {
     /// The hit.
     pub hit: Hit,
     /// The place.
@@ -46,14 +46,14 @@ pub struct Lighting {
 
 impl<'a> View<'a> {
     /// Where the ray of a node ended on a surface; for blocked L rays the blocker. `None` if it hit nothing.
-    pub fn arrival(self, node: u32) -> Option<Arrival<'a>> {
+    pub fn surface_hit(self, node: u32) -> Option<SurfaceHit<'a>> {
         let node = self.trace.tree.node(node);
         let (Outcome::Hit(hit) | Outcome::Blocked(hit)) = node.outcome? else {
             return None;
         };
         let scene = &self.world.scene;
-        let ray = Ray::new(node.sent.origin, node.sent.direction);
-        Some(Arrival {
+        let ray = Ray::new(node.ray.origin, node.ray.direction);
+        Some(SurfaceHit {
             hit,
             at: scene.interaction(&ray, &hit),
             object: scene.object_of(hit.primitive),
@@ -68,7 +68,7 @@ impl<'a> View<'a> {
         let Some(Outcome::Hit(hit)) = node.outcome else {
             return Vec::new();
         };
-        let ray = Ray::new(node.sent.origin, node.sent.direction);
+        let ray = Ray::new(node.ray.origin, node.ray.direction);
         let name = |object: u32| self.world.scene.objects[object as usize].name.as_str();
         let objects = interface::touching(self.world, &ray, &hit);
         objects.into_iter().map(name).collect()
@@ -89,7 +89,7 @@ impl<'a> View<'a> {
         };
         let flat =
             |shape: &Shape| matches!(shape, Shape::Triangle(_) | Shape::Plane(_) | Shape::Disc(_));
-        let close = CLOSE * this.sent.origin.abs().max_element();
+        let close = CLOSE * this.ray.origin.abs().max_element();
         let shape = &self.world.scene.shapes[hit.primitive as usize];
         hit.primitive == left && (flat(shape.plain()) || hit.t <= close)
     }
@@ -97,7 +97,7 @@ impl<'a> View<'a> {
     /// The factors of the terms of a light's sample at the hit of a node; `None` if the light stands just there.
     pub fn lighting(self, node: u32, light: (u32, u32)) -> Option<Lighting> {
         let scene = &self.world.scene;
-        let arrival = self.arrival(node)?;
+        let arrival = self.surface_hit(node)?;
         scene.lights.get(light.0 as usize)?;
         let (asker, at) = (self.asker(node), &arrival.at);
         let surface = Surface::new(at, arrival.material);
@@ -115,7 +115,7 @@ impl<'a> View<'a> {
 
     /// P, the projected solid angle of a light as the hit of a node sees it, if its samples are chosen by that.
     pub fn projected(self, node: u32, light: u32) -> Option<f64> {
-        let arrival = self.arrival(node)?;
+        let arrival = self.surface_hit(node)?;
         let surface = Surface::new(&arrival.at, arrival.material);
         let asker = self.asker(node);
         AreaView::new(&self.world.scene, self.settings, asker, &surface, light)?.projected()
@@ -127,7 +127,7 @@ impl<'a> View<'a> {
         let mut path = Vec::new();
         let mut here = tree.node(node);
         while let Some(parent) = here.parent {
-            path.push(here.sent.kind == RayKind::Transmitted);
+            path.push(here.ray.kind == RayKind::Transmitted);
             here = tree.node(parent);
         }
         let sample = tree.sample_of_node(node).map_or(0, |s| s.index);
@@ -149,7 +149,7 @@ impl<'a> View<'a> {
 
     /// The share of the pixel's brightness that a node's subtree brings, 0 to 1: luminance of throughput x radiance
     /// x sample weight over that of the pixel. For an L ray, that of the terms it let through.
-    pub fn share(self, node: u32) -> f64 {
+    pub fn fraction(self, node: u32) -> f64 {
         let weight = self
             .trace
             .tree
@@ -157,17 +157,17 @@ impl<'a> View<'a> {
             .map_or(1.0, |s| s.weight);
         let pixel = self.trace.pixel.color.luminance();
         if pixel > 0.0 {
-            (self.brings(node) * weight).luminance() / pixel
+            (self.contribution(node) * weight).luminance() / pixel
         } else {
             0.0
         }
     }
 
     /// What a node's subtree adds to its sample: throughput x radiance; for an L ray the light's terms at its parent.
-    pub fn brings(self, node: u32) -> Rgb {
+    pub fn contribution(self, node: u32) -> Rgb {
         let tree = &self.trace.tree;
         let this = tree.node(node);
-        let (RayKind::Light, Some(parent)) = (this.sent.kind, this.parent) else {
+        let (RayKind::Light, Some(parent)) = (this.ray.kind, this.parent) else {
             return this.total();
         };
         tree.node(parent).throughput * tree.lit_by(node)
