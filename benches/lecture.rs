@@ -40,16 +40,18 @@ fn median(mut times: Vec<f64>) -> f64 {
 fn main() {
     let scene = scene::load("lecture-1000").expect("computed");
     let frame = scene.settings;
-    let (pixels, objects) = (frame.width * frame.height, scene.shapes.len());
-    let slide =
-        f64::from(pixels) * f64::from(frame.samples) * f64::from(frame.depth) * objects as f64;
+    let (pixels, objects) = (frame.image.width * frame.image.height, scene.shapes.len());
+    let slide = f64::from(pixels)
+        * f64::from(frame.pixel.samples)
+        * f64::from(frame.recursion.depth)
+        * objects as f64;
     println!(
         "slide: {}x{} pixels x {} rays x {} levels x {objects} objects = {slide} tests, \
          {:.0} hours at {SLIDE_RATE} tests/s",
-        frame.width,
-        frame.height,
-        frame.samples,
-        frame.depth,
+        frame.image.width,
+        frame.image.height,
+        frame.pixel.samples,
+        frame.recursion.depth,
         slide / SLIDE_RATE / 3600.0
     );
     // `cargo test` runs this program as well, without the flag.
@@ -57,11 +59,10 @@ fn main() {
         return;
     }
 
-    let part = Settings {
-        width: frame.width / STRIDE,
-        height: frame.height / STRIDE,
-        ..frame
-    };
+    let part = frame.with(|s| {
+        s.image.width = frame.image.width / STRIDE;
+        s.image.height = frame.image.height / STRIDE;
+    });
     let share = f64::from(STRIDE * STRIDE);
     let worlds = AccelKind::ALL.map(|kind| (kind, World::new(scene.clone(), kind)));
     let mut times = worlds.each_ref().map(|_| Vec::new());

@@ -64,12 +64,11 @@ fn accelerators() -> String {
     let mut rows = Vec::new();
     for name in SCENES {
         let scene = scene::load(name).expect("built in");
-        let settings = Settings {
-            width: 256,
-            height: 256,
-            depth: 7,
-            ..scene.settings
-        };
+        let settings = scene.settings.with(|s| {
+            s.image.width = 256;
+            s.image.height = 256;
+            s.recursion.depth = 7;
+        });
         let worlds = AccelKind::ALL.map(|kind| World::new(scene.clone(), kind));
         let (_, counts) = render::<Counts>(&worlds[worlds.len() - 1], &settings, 0, &|_, _| {
             Flow::Continue
@@ -137,11 +136,10 @@ fn threads() -> String {
     let mut rows = Vec::new();
     for name in ["whitted", "bunny", "spd:balls:4"] {
         let scene = scene::load(name).expect("built in");
-        let settings = Settings {
-            width: 1024,
-            height: 1024,
-            ..scene.settings
-        };
+        let settings = scene.settings.with(|s| {
+            s.image.width = 1024;
+            s.image.height = 1024;
+        });
         let world = World::new(scene, AccelKind::Wide);
         let (_, counts) = render::<Counts>(&world, &settings, 0, &|_, _| Flow::Continue);
         let rays = counts.iter().fold(Counts::default(), Counts::plus).rays() as f64;

@@ -15,9 +15,10 @@ use raytree::accel::fastest;
 use raytree::geometry::naive::{sphere, triangle};
 use raytree::geometry::{Intersection, Shear, Sphere, Triangle};
 use raytree::lab::{Effort, Knob, Lab, knobs};
+use raytree::math::Sampler;
 use raytree::math::sampler::{mix, unit};
 use raytree::math::{DVec3, Interval, Ray};
-use raytree::scene::{Sampling, Settings, load};
+use raytree::scene::load;
 use raytree::world::World;
 
 use table::{markdown, median, publish};
@@ -139,15 +140,14 @@ fn rays() -> Vec<Ray> {
 /// position, time, RMSE.
 fn picture(name: &str) -> Vec<([String; 2], [f64; 2])> {
     let scene = load(name).expect("a scene");
-    let settings = Settings {
-        width: 120,
-        height: 90,
-        samples: 1,
-        light_samples: 1,
-        sampling: Sampling::Regular,
-        accel: fastest(&scene.shapes),
-        ..scene.settings
-    };
+    let settings = scene.settings.with(|s| {
+        s.image.width = 120;
+        s.image.height = 90;
+        s.pixel.samples = 1;
+        s.light.samples = 1;
+        s.pixel.sampler = Sampler::Grid;
+        s.accel = fastest(&scene.shapes);
+    });
     let world = World::new(scene, settings.accel);
     let choices = knobs(&world, &settings, Effort::LEAST);
     let mut lab = Lab {

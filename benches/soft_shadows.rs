@@ -16,7 +16,7 @@ use raytree::lab::Reference;
 use raytree::lab::error::errors;
 use raytree::math::{LightSampling, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings};
+use raytree::scene::{self, Adaptive, Pilot, Settings};
 use raytree::tracer::{Film, Flow, render};
 use raytree::world::World;
 
@@ -81,14 +81,13 @@ fn draw(world: &World, settings: &Settings, threads: usize) -> (Film, f64) {
 
 /// What is compared: every way to choose places, and what else saves rays or time.
 fn ways(size: u32) -> Vec<(String, Settings)> {
-    let base = Settings {
-        width: size,
-        height: size,
-        samples: RAYS,
-        light_samples: 1,
-        sampling: Sampling::Sobol,
-        ..Settings::default()
-    };
+    let base = Settings::default().with(|s| {
+        s.image.width = size;
+        s.image.height = size;
+        s.pixel.samples = RAYS;
+        s.light.samples = 1;
+        s.pixel.sampler = Sampler::Sobol;
+    });
     let mut ways: Vec<_> = Sampler::ALL
         .into_iter()
         .flat_map(|sampler| LightSampling::ALL.map(|by| (sampler, by)))
@@ -97,32 +96,29 @@ fn ways(size: u32) -> Vec<(String, Settings)> {
             let name = format!("`{}`, by `{}`", sampler.name(), light_sampling.name());
             (
                 name,
-                Settings {
-                    sampler,
-                    light_sampling,
-                    ..base
-                },
+                base.with(|s| {
+                    s.light.sampler = sampler;
+                    s.light.density = light_sampling;
+                }),
             )
         })
         .collect();
     // Fewer rays from the eye, each with more to the lamp.
-    let four = Settings {
-        samples: 4,
-        light_samples: RAYS / 4,
-        ..base
-    };
+    let four = base.with(|s| {
+        s.pixel.samples = 4;
+        s.light.samples = RAYS / 4;
+    });
     ways.push(("`sobol`, 4 eye rays with 4 rays each".to_owned(), four));
     let (threshold, most) = AROUND;
     for light_samples in [1, 4] {
-        let around = Settings {
-            light_samples,
-            adaptive: Some(Adaptive {
+        let around = four.with(|s| {
+            s.light.samples = light_samples;
+            s.pixel.adaptive = Some(Adaptive {
                 threshold,
                 most,
                 pilot: Pilot::Around,
-            }),
-            ..four
-        };
+            });
+        });
         let name = format!("`sobol`, `--pilot around`, eye rays with {light_samples} each");
         ways.push((name, around));
     }
@@ -132,17 +128,16 @@ fn ways(size: u32) -> Vec<(String, Settings)> {
 /// A row for each way: rays, seconds, error, and error x root of seconds, which more independent samples leave alone.
 fn rows(world: &World, size: u32) -> String {
     let ways = ways(size);
-    let reference = Settings {
-        samples: REFERENCE,
-        seed: 99,
-        sampler: Sampler::Sobol,
-        ..ways[0].1
-    };
+    let reference = ways[0].1.with(|s| {
+        s.pixel.samples = REFERENCE;
+        s.seed = 99;
+        s.light.sampler = Sampler::Sobol;
+    });
     let reference = Reference::new(draw(world, &reference, 0).0, 1.0);
     let mut draws: Vec<Vec<Drawn>> = ways.iter().map(|_| Vec::new()).collect();
     for seed in 0..ROUNDS as u64 {
         for ((_, settings), draws) in ways.iter().zip(&mut draws) {
-            let settings = Settings { seed, ..*settings };
+            let settings = settings.with(|s| s.seed = seed);
             let (film, seconds) = draw(world, &settings, 1);
             let rmse = errors(&film, &reference, 1.0).expect("the same size").rmse;
             draws.push(Drawn {

@@ -18,7 +18,6 @@ mod mesh;
 mod nearest;
 mod obj;
 mod resolve;
-pub mod sampling;
 pub mod settings;
 mod sketch;
 mod slanted;
@@ -31,8 +30,9 @@ pub use error::SceneError;
 pub use flags::flags;
 pub use generated::list as generated;
 pub use load::{list, load, load_held};
-pub use sampling::{Adaptive, Pilot, Sampling};
-pub use settings::{Budget, Settings};
+pub use settings::{
+    Adaptive, AreaLightSampling, Budget, Image, Pilot, PixelSampling, Recursion, Sampling, Settings,
+};
 
 use crate::geometry::{Arithmetic, Hit, Shape};
 use crate::math::{DVec2, DVec3, Ray, Rgb};

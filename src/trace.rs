@@ -62,10 +62,7 @@ pub fn trace_pixel(
     (x, y): (u32, u32),
     traversal: bool,
 ) -> PixelTrace {
-    let settings = Settings {
-        errors: true,
-        ..*settings
-    };
+    let settings = settings.with(|s| s.pixel.errors = true);
     let (pixel, tree) = on_threads(1, || {
         if traversal {
             record(Recorder::<true>::default(), world, &settings, (x, y))

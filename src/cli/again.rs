@@ -4,7 +4,7 @@ use crate::scene::{Scene, Settings, flags};
 
 /// The scene and the settings as words of a command line. The accelerator is left out: it changes no result.
 pub fn words(scene_arg: &str, settings: &Settings, scene: &Scene) -> String {
-    let Settings { width, height, .. } = settings;
+    let (width, height) = settings.size();
     let mut line = format!("{} --size {width}x{height}", quoted(scene_arg));
     for (flag, value) in flags(settings, scene) {
         if flag != "accel" {

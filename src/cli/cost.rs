@@ -19,6 +19,7 @@ use crate::accel::fastest;
 use crate::lab::{
     Effort, Knob, Lab, Price, Reference, Strip, Sweep, affordable, knobs, plot, strip,
 };
+use crate::math::Sampler;
 use crate::scene::limits::MAX_SECONDS;
 use crate::scene::{Sampling, Settings, flags};
 use crate::world::World;
@@ -84,7 +85,7 @@ impl Cost {
         let (world, asked) = self.scene.load(fastest)?;
         let given = match &self.reference {
             Some(path) => {
-                let film = reference::read(path, asked.exposure)?;
+                let film = reference::read(path, asked.image.exposure)?;
                 reference::check_size(path, &film, self.scene.settings.size)?;
                 Some(film)
             }
@@ -120,7 +121,7 @@ impl Cost {
             arithmetic: base.arithmetic,
             runs,
             threads,
-            given: given.map(|film| Reference::new(film, base.exposure)),
+            given: given.map(|film| Reference::new(film, base.image.exposure)),
             reference: None,
         };
         let measuring = if self.strip.is_some() {
@@ -134,7 +135,10 @@ impl Cost {
         bar.finish_and_clear();
 
         let again = self.again(&base, &lab.world, effort);
-        let title = format!("{}, {}x{}", lab.world.scene.name, base.width, base.height);
+        let title = format!(
+            "{}, {}x{}",
+            lab.world.scene.name, base.image.width, base.image.height
+        );
         if let Some(path) = &self.plot {
             let svg = plot::svg(&title, &sweeps);
             output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
@@ -143,7 +147,7 @@ impl Cost {
         if strips.is_empty() && self.strip.is_some() {
             eprintln!("warning: no strip: nothing that it could show was measured");
         } else if let Some(path) = &self.strip {
-            output::write_png(path, &strip::picture(&strips), base.exposure)?;
+            output::write_png(path, &strip::picture(&strips), base.image.exposure)?;
             crops = table::strips(&strips, path);
         }
         let text = if self.json {
@@ -218,18 +222,17 @@ impl Cost {
     fn base(&self, asked: Settings, size: (u32, u32)) -> Settings {
         let args = &self.scene.settings;
         let (width, height) = args.size.unwrap_or(size);
-        Settings {
-            width,
-            height,
-            samples: args.samples.samples.unwrap_or(1),
-            sampling: if args.samples.sampling.is_some() {
-                asked.sampling
+        asked.with(|s| {
+            s.image.width = width;
+            s.image.height = height;
+            s.pixel.samples = args.samples.samples.unwrap_or(1);
+            s.pixel.sampler = if args.samples.sampling.is_some() {
+                asked.pixel.sampler
             } else {
-                Sampling::Regular
-            },
-            light_samples: args.light_samples.unwrap_or(1),
-            ..asked
-        }
+                Sampler::Grid
+            };
+            s.light.samples = args.light_samples.unwrap_or(1);
+        })
     }
 
     /// An error if a name is that of no knob of this scene.
@@ -253,7 +256,7 @@ impl Cost {
 
     /// The command that measures the same again: errors and counters to the last bit, times as they are then.
     fn again(&self, base: &Settings, world: &World, effort: Effort) -> String {
-        let Settings { width, height, .. } = base;
+        let (width, height) = base.size();
         let mut line = format!(
             "raytree cost {} --size {width}x{height} --most {} --reference-samples {}",
             quoted(&self.scene.scene),
@@ -263,9 +266,12 @@ impl Cost {
         let mut said = flags(base, &world.scene);
         // Where these are not given, they are not the scene's: see `base`.
         for (flag, value) in [
-            ("samples", base.samples.to_string()),
-            ("light-samples", base.light_samples.to_string()),
-            ("sampling", base.sampling.name().to_owned()),
+            ("samples", base.pixel.samples.to_string()),
+            ("light-samples", base.light.samples.to_string()),
+            (
+                "sampling",
+                Sampling::of(base.pixel.sampler).name().to_owned(),
+            ),
         ] {
             if said.iter().all(|(name, _)| *name != flag) {
                 said.push((flag, value));

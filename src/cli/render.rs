@@ -18,8 +18,9 @@ use super::settings::samples::parse_positive;
 use super::{ColorArg, Done, Failure, again, output};
 use crate::accel::fastest;
 use crate::lab::until::{self, End, Found};
+use crate::math::Sampler;
 use crate::probe::Silent;
-use crate::scene::{Sampling, Settings};
+use crate::scene::Settings;
 use crate::trace::Counts;
 use crate::tracer::picture::text;
 use crate::tracer::{Film, Flow, render};
@@ -80,10 +81,10 @@ impl Render {
 
         let Made { film, settings, .. } = &made;
         if let Some(path) = &self.output {
-            files::picture(path, film, settings.exposure)?;
+            files::picture(path, film, settings.image.exposure)?;
         } else {
             let level = self.color.level();
-            let picture = text::lines(film, settings.exposure, level);
+            let picture = text::lines(film, settings.image.exposure, level);
             output::to_stdout(picture.as_bytes())?;
         }
         if let Some(path) = &self.error_map {
@@ -121,11 +122,8 @@ of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
 
     /// The settings with what the flags of this command say.
     fn wanted(&self, settings: Settings) -> Result<Settings, Failure> {
-        let mut wanted = Settings {
-            errors: self.error_map.is_some(),
-            ..settings
-        };
-        if self.until_error.is_some() && settings.sampling == Sampling::Regular {
+        let mut wanted = settings.with(|s| s.pixel.errors = self.error_map.is_some());
+        if self.until_error.is_some() && settings.pixel.sampler == Sampler::Grid {
             if self.scene.settings.samples.sampling.is_some() {
                 return Err(Failure::Usage(
                     "--until-error: regular samples have no chance in them, so nothing tells how wrong they are; \
@@ -133,10 +131,10 @@ choose --sampling random, jittered or sobol"
                         .to_owned(),
                 ));
             }
-            wanted.sampling = Sampling::Sobol;
+            wanted.pixel.sampler = Sampler::Sobol;
         }
         if self.output.is_none() && self.scene.settings.size.is_none() {
-            (wanted.width, wanted.height) = size_of_terminal(&settings);
+            (wanted.image.width, wanted.image.height) = size_of_terminal(&settings);
         }
         Ok(wanted)
     }
@@ -188,7 +186,7 @@ fn size_of_terminal(settings: &Settings) -> (u32, u32) {
         .filter(|size| terminal && size.0 > 0 && size.1 > 1)
         .unwrap_or((80, 31));
     let (columns, rows) = (f64::from(columns), 2.0 * (f64::from(lines) - 1.0));
-    let aspect = f64::from(settings.width) / f64::from(settings.height);
+    let aspect = f64::from(settings.image.width) / f64::from(settings.image.height);
     let width = columns.min(rows * aspect).max(1.0);
     let height = (width / aspect).round().max(1.0);
     (width as u32, height as u32)
@@ -196,7 +194,7 @@ fn size_of_terminal(settings: &Settings) -> (u32, u32) {
 
 /// A bar on standard error, hidden where that is no terminal, and for the first moment.
 fn progress_bar(settings: &Settings) -> ProgressBar {
-    let pixels = u64::from(settings.width) * u64::from(settings.height);
+    let pixels = u64::from(settings.image.width) * u64::from(settings.image.height);
     let bar = ProgressBar::with_draw_target(Some(pixels), ProgressDrawTarget::stderr());
     let style = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {msg}  {eta} left");
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))

@@ -12,7 +12,7 @@ use crate::accel::fastest;
 use crate::geometry::{Arithmetic, Offset, Precision, Quadratic, Shape, TriangleTest};
 use crate::math::{LightSampling, Sampler};
 use crate::scene::effects::effects;
-use crate::scene::{Effect, Scene, Settings, limits};
+use crate::scene::{AreaLightSampling, Effect, Image, Recursion, Scene, Settings, limits};
 use crate::shading::Fresnel;
 use crate::world::World;
 
@@ -151,23 +151,32 @@ impl SettingsArgs {
         let asked = &scene.settings;
         let (width, height) = self.size.unwrap_or(asked.size());
         Settings {
-            width,
-            height,
-            light_samples: self.light_samples.unwrap_or(asked.light_samples),
-            sampler: self.sampler.map_or(asked.sampler, |s| match s {
-                SamplerArg::Grid => Sampler::Grid,
-                SamplerArg::Random => Sampler::Random,
-                SamplerArg::Stratified => Sampler::Stratified,
-                SamplerArg::Sobol => Sampler::Sobol,
-            }),
-            light_sampling: self
-                .light_sampling
-                .map_or(asked.light_sampling, |s| match s {
-                    LightSamplingArg::Area => LightSampling::Area,
-                    LightSamplingArg::Projected => LightSampling::Projected,
+            image: Image {
+                width,
+                height,
+                exposure: self.exposure.unwrap_or(asked.image.exposure),
+            },
+            pixel: self.samples.over(&asked.pixel),
+            light: AreaLightSampling {
+                samples: self.light_samples.unwrap_or(asked.light.samples),
+                sampler: self.sampler.map_or(asked.light.sampler, |s| match s {
+                    SamplerArg::Grid => Sampler::Grid,
+                    SamplerArg::Random => Sampler::Random,
+                    SamplerArg::Stratified => Sampler::Stratified,
+                    SamplerArg::Sobol => Sampler::Sobol,
                 }),
-            depth: self.depth.unwrap_or(asked.depth),
-            min_weight: self.min_weight.unwrap_or(asked.min_weight),
+                density: self
+                    .light_sampling
+                    .map_or(asked.light.density, |s| match s {
+                        LightSamplingArg::Area => LightSampling::Area,
+                        LightSamplingArg::Projected => LightSampling::Projected,
+                    }),
+            },
+            recursion: Recursion {
+                depth: self.depth.unwrap_or(asked.recursion.depth),
+                min_weight: self.min_weight.unwrap_or(asked.recursion.min_weight),
+                max_rays: self.max_rays.unwrap_or(asked.recursion.max_rays),
+            },
             effects: self
                 .without
                 .iter()
@@ -178,15 +187,12 @@ impl SettingsArgs {
                 FresnelArg::Schlick => Fresnel::Schlick,
                 FresnelArg::Exact => Fresnel::Exact,
             }),
-            exposure: self.exposure.unwrap_or(asked.exposure),
             accel: match self.accel {
                 None => accel(&scene.shapes),
                 Some(AccelArg::Auto) => fastest(&scene.shapes),
                 Some(AccelArg::Kind(kind)) => kind,
             },
             arithmetic: self.arithmetic.over(asked.arithmetic),
-            max_rays: self.max_rays.unwrap_or(asked.max_rays),
-            ..self.samples.over(asked)
         }
     }
 }
@@ -199,7 +205,7 @@ impl SceneArgs {
             eprintln!("warning: {warning}");
         }
         let settings = self.settings.over(&scene, accel);
-        samples::check(&settings)?;
+        samples::check(&settings.pixel)?;
         for effect in settings.left_out(&scene) {
             eprintln!("note: {} is left out: {}", effect.name(), effect.without());
         }

@@ -114,7 +114,7 @@ impl Lab {
                     self.reference = None;
                     return knobs.into_iter().map(|k| Sweep::new(k, vec![])).collect();
                 };
-                Some(Reference::new(film, settings.exposure))
+                Some(Reference::new(film, settings.image.exposure))
             }
             _ => None,
         };
@@ -169,7 +169,7 @@ impl Lab {
             swap(&mut bench.other, &mut self.world);
             let Some((film, counts)) = done else { break };
             bench.counts = counts.iter().fold(Counts::default(), Counts::plus);
-            bench.errors = reference.and_then(|r| errors(&film, r, step.settings.exposure));
+            bench.errors = reference.and_then(|r| errors(&film, r, step.settings.image.exposure));
             benches.push(bench);
         }
         benches

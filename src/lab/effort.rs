@@ -73,22 +73,24 @@ impl Price {
     pub fn of(world: &World, base: &Settings, threads: usize) -> Self {
         const MANY: u32 = 16;
         const EDGE: u32 = 120;
-        let shrink = base.width.max(base.height).div_ceil(EDGE).max(1);
-        let [width, height] = [base.width, base.height].map(|edge| edge.div_ceil(shrink));
+        let shrink = base
+            .image
+            .width
+            .max(base.image.height)
+            .div_ceil(EDGE)
+            .max(1);
+        let [width, height] =
+            [base.image.width, base.image.height].map(|edge| edge.div_ceil(shrink));
         let pixels = |w: u32, h: u32| f64::from(w) * f64::from(h);
-        let larger = pixels(base.width, base.height) / pixels(width, height);
-        let one = Settings {
-            samples: 1,
-            light_samples: 1,
-            sampler: Sampler::Sobol,
-            width,
-            height,
-            ..*base
-        };
-        let many = Settings {
-            light_samples: MANY,
-            ..one
-        };
+        let larger = pixels(base.image.width, base.image.height) / pixels(width, height);
+        let one = base.with(|s| {
+            s.pixel.samples = 1;
+            s.light.samples = 1;
+            s.light.sampler = Sampler::Sobol;
+            s.image.width = width;
+            s.image.height = height;
+        });
+        let many = one.with(|s| s.light.samples = MANY);
         let clock = |settings: &Settings, count: bool| {
             let start = Instant::now();
             let go_on = |_, _| Flow::Continue;
@@ -111,8 +113,8 @@ impl Price {
 
     /// What a picture takes.
     pub fn picture(self, settings: &Settings) -> f64 {
-        let lights = self.light * f64::from(settings.light_samples);
-        f64::from(settings.samples) * (self.sample + lights)
+        let lights = self.light * f64::from(settings.light.samples);
+        f64::from(settings.pixel.samples) * (self.sample + lights)
     }
 
     /// What the knobs of a group take, with their positions rendered `runs` times and counted once, and the reference.

@@ -78,8 +78,8 @@ impl Knob {
 pub fn knobs(world: &World, base: &Settings, effort: Effort) -> Vec<Knob> {
     let called_for = effects(&world.scene);
     let uses = |effect| called_for.has(effect) && base.effects.has(effect);
-    let mut knobs: Vec<Knob> = Sampling::ALL
-        .map(|sampling| pixel_samples(base, sampling, effort))
+    let mut knobs: Vec<Knob> = Sampler::ALL
+        .map(|sampler| pixel_samples(base, sampler, effort))
         .into();
     knobs.push(thresholds(base, Pilot::Kept, effort));
     knobs.push(thresholds(base, Pilot::Around, effort));
@@ -110,17 +110,17 @@ fn by_samples(effort: Effort, with: impl Fn(u32) -> Settings) -> Vec<Step> {
 }
 
 /// Samples a pixel.
-fn pixel_samples(base: &Settings, sampling: Sampling, effort: Effort) -> Knob {
-    let theory = match sampling {
-        Sampling::Regular => "-1 or less: it stalls at edges along its cells",
-        Sampling::Random => "-0.5",
-        Sampling::Jittered => "-0.75 at edges, -1 where it is smooth",
-        Sampling::Sobol => "-0.75 at edges, -1.5 where it is smooth",
+fn pixel_samples(base: &Settings, sampler: Sampler, effort: Effort) -> Knob {
+    let theory = match sampler {
+        Sampler::Grid => "-1 or less: it stalls at edges along its cells",
+        Sampler::Random => "-0.5",
+        Sampler::Stratified => "-0.75 at edges, -1 where it is smooth",
+        Sampler::Sobol => "-0.75 at edges, -1.5 where it is smooth",
     };
     Knob {
         group: PIXEL_SAMPLES,
-        way: Some(sampling.name()),
-        steps: by_samples(effort, |n| sampled(base, n, sampling)),
+        way: Some(Sampling::of(sampler).name()),
+        steps: by_samples(effort, |n| sampled(base, n, sampler)),
         reference: Some(best_sampled(base, effort)),
         theory: Some(theory),
     }
@@ -128,13 +128,14 @@ fn pixel_samples(base: &Settings, sampling: Sampling, effort: Effort) -> Knob {
 
 /// Samples where they are needed, by how small a pixel's standard error is to be: another way to the same picture.
 fn thresholds(base: &Settings, pilot: Pilot, effort: Effort) -> Knob {
-    let with = |threshold| Settings {
-        adaptive: Some(Adaptive {
-            threshold,
-            most: effort.most.max(4 * FIRST),
-            pilot,
-        }),
-        ..sampled(base, FIRST, Sampling::Sobol)
+    let with = |threshold| {
+        sampled(base, FIRST, Sampler::Sobol).with(|s| {
+            s.pixel.adaptive = Some(Adaptive {
+                threshold,
+                most: effort.most.max(4 * FIRST),
+                pilot,
+            })
+        })
     };
     // What is an error with one is a part of a standard deviation with the other.
     let (way, thresholds) = match pilot {
@@ -149,23 +150,19 @@ fn thresholds(base: &Settings, pilot: Pilot, effort: Effort) -> Knob {
 }
 
 /// So many samples a pixel, in one set.
-fn sampled(base: &Settings, samples: u32, sampling: Sampling) -> Settings {
-    Settings {
-        samples,
-        sets: 1,
-        sampling,
-        adaptive: None,
-        ..*base
-    }
+fn sampled(base: &Settings, samples: u32, sampler: Sampler) -> Settings {
+    base.with(|s| {
+        s.pixel.samples = samples;
+        s.pixel.sets = 1;
+        s.pixel.sampler = sampler;
+        s.pixel.adaptive = None;
+    })
 }
 
 /// The reference of all that is about samples of a pixel.
 fn best_sampled(base: &Settings, effort: Effort) -> Settings {
     let samples = effort.reference.min(limits::MAX_SAMPLES);
-    Settings {
-        seed: base.seed ^ OTHER_SEED,
-        ..sampled(base, samples, Sampling::Sobol)
-    }
+    sampled(base, samples, Sampler::Sobol).with(|s| s.seed = base.seed ^ OTHER_SEED)
 }
 
 /// Rays to area lights. Always from the same places on the film, so that nothing else is by chance.
@@ -174,11 +171,12 @@ fn light_samples(
     (sampler, light_sampling): (Sampler, LightSampling),
     effort: Effort,
 ) -> Knob {
-    let with = |light_samples, sampler, light_sampling| Settings {
-        light_samples,
-        sampler,
-        light_sampling,
-        ..sampled(base, base.samples, Sampling::Regular)
+    let with = |light_samples, sampler, light_sampling| {
+        sampled(base, base.pixel.samples, Sampler::Grid).with(|s| {
+            s.light.samples = light_samples;
+            s.light.sampler = sampler;
+            s.light.density = light_sampling;
+        })
     };
     let most = effort.reference.min(limits::MAX_LIGHT_SAMPLES);
     Knob {
@@ -188,10 +186,10 @@ fn light_samples(
             LightSampling::Projected => light_sampling.name(),
         }),
         steps: by_samples(effort, |n| with(n, sampler, light_sampling)),
-        reference: Some(Settings {
-            seed: base.seed ^ OTHER_SEED,
-            ..with(most, Sampler::Sobol, LightSampling::Area)
-        }),
+        reference: Some(
+            with(most, Sampler::Sobol, LightSampling::Area)
+                .with(|s| s.seed = base.seed ^ OTHER_SEED),
+        ),
         theory: Some(match sampler {
             Sampler::Grid => "none: it stalls at edges along its cells",
             Sampler::Random => "-0.5",
@@ -224,7 +222,7 @@ pub fn plain<T>(
 }
 
 fn depth(base: &Settings) -> Knob {
-    let with = |depth| Settings { depth, ..*base };
+    let with = |depth| base.with(|s| s.recursion.depth = depth);
     Knob {
         reference: Some(with(16)),
         ..plain("depth", 0..=6, u32::to_string, with)
@@ -232,10 +230,11 @@ fn depth(base: &Settings) -> Knob {
 }
 
 fn min_weight(base: &Settings) -> Knob {
-    let with = |min_weight| Settings {
-        min_weight,
-        depth: base.depth.max(12),
-        ..*base
+    let with = |min_weight| {
+        base.with(|s| {
+            s.recursion.min_weight = min_weight;
+            s.recursion.depth = base.recursion.depth.max(12);
+        })
     };
     let weights = [0.3, 0.1, 0.03, 0.01, 1.0 / 512.0];
     Knob {
@@ -250,6 +249,6 @@ fn accelerators(world: &World, base: &Settings) -> Knob {
     let kinds = AccelKind::ALL
         .into_iter()
         .filter(|kind| few || *kind != AccelKind::List);
-    let with = |accel| Settings { accel, ..*base };
+    let with = |accel| base.with(|s| s.accel = accel);
     plain("accelerator", kinds, |a| a.name().to_owned(), with)
 }

@@ -66,7 +66,7 @@ impl Lab {
             tiles.push(Tile {
                 name: format!("{} {position}", sweep.knob.way.unwrap_or_default()),
                 seconds: start.elapsed().as_secs_f64(),
-                rmse: errors(&film, reference, settings.exposure)?.rmse,
+                rmse: errors(&film, reference, settings.image.exposure)?.rmse,
                 settings,
                 film,
             });
@@ -162,9 +162,9 @@ impl Knob {
         let any = self.steps.last()?;
         let mut settings = any.settings;
         if self.group == LIGHT_SAMPLES {
-            settings.light_samples = samples;
+            settings.light.samples = samples;
         } else {
-            settings.samples = samples;
+            settings.pixel.samples = samples;
         }
         any.samples.map(|_| settings)
     }

@@ -7,8 +7,9 @@
 
 use std::time::Instant;
 
+use crate::math::Sampler;
 use crate::probe::Silent;
-use crate::scene::{Sampling, Settings, limits};
+use crate::scene::{Settings, limits};
 use crate::tracer::{Film, Flow, render};
 use crate::world::World;
 
@@ -58,7 +59,7 @@ pub struct Found {
 }
 
 /// Renders until the error is at most `wanted`. The first try has the samples of `settings`, rounded up to whole sets;
-/// all together may cost `settings.max_rays`.
+/// all together may cost `settings.recursion.max_rays`.
 pub fn until(
     world: &World,
     settings: &Settings,
@@ -66,20 +67,19 @@ pub fn until(
     threads: usize,
     watch: &(dyn Fn(u64, u64) -> Flow + Sync),
 ) -> Found {
-    let mut now = Settings {
-        samples: whole_sets(f64::from(settings.samples)),
-        sets: SETS,
-        adaptive: None,
-        errors: true,
-        ..*settings
-    };
+    let mut now = settings.with(|s| {
+        s.pixel.samples = whole_sets(f64::from(settings.pixel.samples));
+        s.pixel.sets = SETS;
+        s.pixel.adaptive = None;
+        s.pixel.errors = true;
+    });
     let mut tries: Vec<Try> = Vec::new();
     let mut spent = 0;
     loop {
         let start = Instant::now();
         let (film, _) = render::<Silent>(world, &now, threads, watch);
         let error = film.error().unwrap_or(f64::INFINITY);
-        let (samples, rays) = (now.samples, film.rays);
+        let (samples, rays) = (now.pixel.samples, film.rays);
         tries.push(Try {
             samples,
             error,
@@ -95,10 +95,10 @@ pub fn until(
             End::Reached
         } else if next > limits::MAX_SAMPLES {
             End::Samples
-        } else if spent as f64 + price > settings.max_rays as f64 {
+        } else if spent as f64 + price > settings.recursion.max_rays as f64 {
             End::Rays
         } else {
-            now.samples = next;
+            now.pixel.samples = next;
             continue;
         };
         return Found {
@@ -113,7 +113,7 @@ pub fn until(
 /// How many times as many samples bring the error down by `factor`: it falls as n^-1/2 if the samples are independent,
 /// and at least as n^-3/4 if they are evenly spread (Mitchell 1996).
 fn growth(settings: &Settings, factor: f64) -> f64 {
-    let power = if settings.sampling == Sampling::Random {
+    let power = if settings.pixel.sampler == Sampler::Random {
         2.0
     } else {
         4.0 / 3.0

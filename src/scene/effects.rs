@@ -60,6 +60,12 @@ impl Effect {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effects(u8);
 
+impl Default for Effects {
+    fn default() -> Self {
+        Self::ALL
+    }
+}
+
 impl Effects {
     /// None of them.
     pub const NONE: Self = Self(0);

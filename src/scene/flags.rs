@@ -1,32 +1,32 @@
 //! Settings as the flags of a command line: what must be said to do the same again.
 
-use super::{Scene, Settings};
+use super::{Sampling, Scene, Settings};
 
 /// The settings that are not the scene's own, as names and values of flags.
 pub fn flags(now: &Settings, scene: &Scene) -> Vec<(&'static str, String)> {
     let word = |name: &dyn std::fmt::Debug| format!("{name:?}").to_lowercase();
     let values = |s: &Settings| {
         [
-            ("samples", s.samples.to_string()),
-            ("sets", s.sets.to_string()),
-            ("sampling", s.sampling.name().to_owned()),
-            ("filter", s.filter.name().to_owned()),
-            ("filter-radius", s.filter_radius.to_string()),
-            ("light-samples", s.light_samples.to_string()),
-            ("sampler", s.sampler.name().to_owned()),
-            ("light-sampling", s.light_sampling.name().to_owned()),
-            ("depth", s.depth.to_string()),
-            ("min-weight", s.min_weight.to_string()),
+            ("samples", s.pixel.samples.to_string()),
+            ("sets", s.pixel.sets.to_string()),
+            ("sampling", Sampling::of(s.pixel.sampler).name().to_owned()),
+            ("filter", s.pixel.filter.name().to_owned()),
+            ("filter-radius", s.pixel.filter_radius.to_string()),
+            ("light-samples", s.light.samples.to_string()),
+            ("sampler", s.light.sampler.name().to_owned()),
+            ("light-sampling", s.light.density.name().to_owned()),
+            ("depth", s.recursion.depth.to_string()),
+            ("min-weight", s.recursion.min_weight.to_string()),
             ("fresnel", word(&s.fresnel)),
-            ("exposure", s.exposure.to_string()),
+            ("exposure", s.image.exposure.to_string()),
             ("seed", s.seed.to_string()),
             ("accel", s.accel.name().to_owned()),
-            ("max-rays", s.max_rays.to_string()),
+            ("max-rays", s.recursion.max_rays.to_string()),
         ]
     };
     let pairs = values(now).into_iter().zip(values(&scene.settings));
     let changed = pairs.filter(|(now, own)| now != own).map(|(now, _)| now);
-    let adaptive = now.adaptive.into_iter().flat_map(|adaptive| {
+    let adaptive = now.pixel.adaptive.into_iter().flat_map(|adaptive| {
         [
             ("adaptive", adaptive.threshold.to_string()),
             ("max-samples", adaptive.most.to_string()),

@@ -27,13 +27,12 @@ pub fn scene() -> Option<Scene> {
     let eye = DVec3::new(0.0, 5.5, 13.0);
     let look_at = DVec3::new(0.0, 0.2, 0.8);
     let camera = Camera::new(eye, look_at, DVec3::Y, 42_f64.to_radians())?;
-    let settings = Settings {
-        width: 1280,
-        height: 1024,
-        samples: 10,
-        depth: 3,
-        ..Settings::default()
-    };
+    let settings = Settings::default().with(|s| {
+        s.image.width = 1280;
+        s.image.height = 1024;
+        s.pixel.samples = 10;
+        s.recursion.depth = 3;
+    });
     let mut sketch = Sketch::new(NAME, camera, settings);
     sketch.sky(Rgb::new(0.45, 0.6, 0.8), Rgb::grey(0.25));
     sketch.light(DVec3::new(-8.0, 12.0, 8.0), Rgb::new(0.75, 0.7, 0.6));

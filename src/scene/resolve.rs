@@ -19,8 +19,9 @@ use super::limits::{
     IOR, MAX_EXPONENT, MAX_LIGHT_SAMPLES, MAX_RADIANCE, MAX_SAMPLES, size_problem,
 };
 use super::warnings::Warnings;
-use super::{Camera, Scene, Settings};
-use crate::geometry::Arithmetic;
+use super::{
+    AreaLightSampling, Camera, Image, PixelSampling, Recursion, Sampling, Scene, Settings,
+};
 use crate::math::Rgb;
 use crate::shading::Material;
 use crate::shading::material::Checker;
@@ -121,12 +122,14 @@ fn camera(file: &CameraFile, place: &Place) -> Result<Camera, SceneError> {
 
 fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneError> {
     let default = Settings::default();
-    let [width, height] = file.size.unwrap_or([default.width, default.height]);
+    let [width, height] = file
+        .size
+        .unwrap_or([default.image.width, default.image.height]);
     if let Some(problem) = size_problem(width, height) {
         let place = place.key("size");
         return Err(place.error(problem, "write [width, height], such as [320, 240]"));
     }
-    let samples = file.samples.unwrap_or(default.samples);
+    let samples = file.samples.unwrap_or(default.pixel.samples);
     if samples == 0 || samples > MAX_SAMPLES {
         return Err(place.key("samples").error(
             format!("{samples} samples a pixel are not possible"),
@@ -140,7 +143,7 @@ fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneError> 
             &place.key(key),
         )
     };
-    let light_samples = file.light_samples.unwrap_or(default.light_samples);
+    let light_samples = file.light_samples.unwrap_or(default.light.samples);
     if light_samples == 0 || light_samples > MAX_LIGHT_SAMPLES {
         return Err(place.key("light_samples").error(
             format!("{light_samples} shadow rays to a light are not possible"),
@@ -148,27 +151,31 @@ fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneError> 
         ));
     }
     Ok(Settings {
-        width,
-        height,
-        samples,
-        light_samples,
-        sampler: file.sampler.unwrap_or(default.sampler),
-        light_sampling: file.light_sampling.unwrap_or(default.light_sampling),
-        sampling: file.sampling.unwrap_or(default.sampling),
-        sets: default.sets,
-        filter: default.filter,
-        filter_radius: default.filter_radius,
-        adaptive: default.adaptive,
-        errors: default.errors,
-        depth: file.depth.unwrap_or(default.depth),
-        min_weight: optional(file.min_weight, default.min_weight, "min_weight")?,
+        image: Image {
+            width,
+            height,
+            exposure: optional(file.exposure, default.image.exposure, "exposure")?,
+        },
+        pixel: PixelSampling {
+            samples,
+            sampler: file
+                .sampling
+                .map_or(default.pixel.sampler, Sampling::sampler),
+            ..default.pixel
+        },
+        light: AreaLightSampling {
+            samples: light_samples,
+            sampler: file.sampler.unwrap_or(default.light.sampler),
+            density: file.light_sampling.unwrap_or(default.light.density),
+        },
+        recursion: Recursion {
+            depth: file.depth.unwrap_or(default.recursion.depth),
+            min_weight: optional(file.min_weight, default.recursion.min_weight, "min_weight")?,
+            ..default.recursion
+        },
         seed: file.seed.unwrap_or(default.seed),
         fresnel: file.fresnel.unwrap_or(default.fresnel),
-        exposure: optional(file.exposure, default.exposure, "exposure")?,
-        effects: default.effects,
-        accel: default.accel,
-        arithmetic: Arithmetic::default(),
-        max_rays: default.max_rays,
+        ..default
     })
 }
 

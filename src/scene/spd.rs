@@ -117,13 +117,12 @@ impl Spd {
             frame: Frame::from_w_up(backwards, y_up(DVec3::from(view.up)))?,
             half_height: libm::tan(std::f64::consts::PI / 8.0) * edge / (edge - 1.0),
         };
-        let settings = Settings {
-            width: CORNERS,
-            height: CORNERS,
-            depth: 4,
-            min_weight: 0.0,
-            ..Settings::default()
-        };
+        let settings = Settings::default().with(|s| {
+            s.image.width = CORNERS;
+            s.image.height = CORNERS;
+            s.recursion.depth = 4;
+            s.recursion.min_weight = 0.0;
+        });
         let mut sketch = Sketch::new(name, camera, settings);
         sketch.sky(Rgb::new(0.078, 0.361, 0.753), Rgb::grey(0.15));
         // Haines' rule for the intensity of each of n lights.

@@ -32,7 +32,7 @@ fn figures(view: View) -> (Vec<Figure>, usize) {
         let fill = match node.outcome {
             Some(Outcome::Lit) => [255, 244, 190],
             Some(Outcome::Blocked(_)) => [60, 60, 60],
-            _ => (node.radiance * view.settings.exposure).to_srgb8(),
+            _ => (node.radiance * view.settings.image.exposure).to_srgb8(),
         };
         Figure {
             id,
@@ -67,7 +67,11 @@ fn heading(view: View) -> String {
     let trace = view.trace;
     format!(
         "{}, pixel ({}, {}) of {} x {}",
-        view.world.scene.name, trace.x, trace.y, view.settings.width, view.settings.height
+        view.world.scene.name,
+        trace.x,
+        trace.y,
+        view.settings.image.width,
+        view.settings.image.height
     )
 }
 

@@ -358,8 +358,8 @@ pub fn document(view: View) -> impl Serialize {
             hash: world.scene.hash.clone(),
         },
         image: Size {
-            width: settings.width,
-            height: settings.height,
+            width: settings.image.width,
+            height: settings.image.height,
         },
         pixel: At {
             x: trace.x,
@@ -368,7 +368,7 @@ pub fn document(view: View) -> impl Serialize {
         settings: knobs(settings, &world.scene),
         color: Color {
             linear: trace.pixel.color,
-            srgb8: (trace.pixel.color * settings.exposure).to_srgb8(),
+            srgb8: (trace.pixel.color * settings.image.exposure).to_srgb8(),
         },
         standard_error: Some(trace.pixel.error).filter(|error| error.is_finite()),
         spoiled: trace.pixel.spoiled,

@@ -14,15 +14,15 @@ impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let view = self.0;
         let (trace, settings) = (view.trace, view.settings);
-        let [r, g, b] = (trace.pixel.color * settings.exposure).to_srgb8();
+        let [r, g, b] = (trace.pixel.color * settings.image.exposure).to_srgb8();
         writeln!(
             f,
             "{}, pixel ({}, {}) of {} x {}: {} = sRGB ({r}, {g}, {b}), {} rays",
             view.world.scene.name,
             trace.x,
             trace.y,
-            settings.width,
-            settings.height,
+            settings.image.width,
+            settings.image.height,
             rgb(trace.pixel.color),
             trace.pixel.rays,
         )?;

@@ -76,15 +76,18 @@ impl<'a> AreaView<'a> {
 /// The places on a light that a pixel asks for, and the number of the first one that belongs to this sample of the pixel.
 /// The places of all hits of a pixel at the end of the same path are one run; only a grid is a whole one at each hit.
 fn places(settings: &Settings, asker: Asker, light: u32) -> (Points, u32) {
-    let here = settings.light_samples;
+    let here = settings.light.samples;
     let run = Run {
         key: light_run(settings.seed, asker.pixel, asker.path, light),
-        count: match settings.sampler {
+        count: match settings.light.sampler {
             Sampler::Grid => here,
-            _ => here * settings.set_size(),
+            _ => here * settings.pixel.set_size(),
         },
     };
-    (Points::new(settings.sampler, run), asker.sample * here)
+    (
+        Points::new(settings.light.sampler, run),
+        asker.sample * here,
+    )
 }
 
 /// The light's polygon as the surface sees it, if that is what places are chosen by.
@@ -92,8 +95,8 @@ fn places(settings: &Settings, asker: Asker, light: u32) -> (Points, u32) {
 /// Not for highlights, which do not fall with the cosine that the polygon is weighed by; nor for the grid, which is the
 /// lecture's: points on the light, side by side.
 fn projected(area: &Area, settings: &Settings, surface: &Surface) -> Option<Box<Projected>> {
-    let by_what_it_brings = settings.light_sampling == LightSampling::Projected
-        && settings.sampler != Sampler::Grid
+    let by_what_it_brings = settings.light.density == LightSampling::Projected
+        && settings.light.sampler != Sampler::Grid
         && settings.effects.has(Effect::SoftShadows)
         && surface.material.specular.is_black();
     if !by_what_it_brings || surface.diffuse.is_black() {

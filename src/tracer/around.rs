@@ -54,7 +54,10 @@ fn neighbours(settings: &Settings, at: (u32, u32)) -> impl Iterator<Item = (u32,
         let first = place.saturating_sub(NEAR).max(tile);
         first..(place + NEAR + 1).min(tile + TILE).min(end)
     };
-    let (columns, rows) = (near(at.0, settings.width), near(at.1, settings.height));
+    let (columns, rows) = (
+        near(at.0, settings.image.width),
+        near(at.1, settings.image.height),
+    );
     rows.flat_map(move |y| columns.clone().map(move |x| (x, y)))
         .filter(move |other| *other != at)
 }
@@ -64,12 +67,15 @@ fn neighbours(settings: &Settings, at: (u32, u32)) -> impl Iterator<Item = (u32,
 /// spread points are best then. Without neighbours nothing is known: all that it may have.
 fn count(settings: &Settings, noises: impl Iterator<Item = f64>) -> u32 {
     let (sum, neighbours) = noises.fold((0.0, 0.0), |(sum, n), noise| (sum + noise, n + 1.0));
-    let variance = sum / neighbours * f64::from(settings.samples);
-    let threshold = settings.adaptive.map_or(f64::INFINITY, |a| a.threshold);
+    let variance = sum / neighbours * f64::from(settings.pixel.samples);
+    let threshold = settings
+        .pixel
+        .adaptive
+        .map_or(f64::INFINITY, |a| a.threshold);
     let wanted = variance.sqrt() / threshold;
     let is_enough = |count: u32| wanted < std::f64::consts::SQRT_2 * f64::from(count);
     let most = settings.samples_afforded();
-    let mut count = settings.samples;
+    let mut count = settings.pixel.samples;
     while count < most && !is_enough(count) {
         count = count.saturating_mul(2);
     }

@@ -110,8 +110,8 @@ impl Film {
             width,
             height,
             pixels: vec![Rgb::BLACK; count],
-            samples: vec![0; if_wanted(settings.adaptive.is_some())],
-            errors: vec![f64::INFINITY; if_wanted(settings.errors)],
+            samples: vec![0; if_wanted(settings.pixel.adaptive.is_some())],
+            errors: vec![f64::INFINITY; if_wanted(settings.pixel.errors)],
             ..Self::default()
         }
     }

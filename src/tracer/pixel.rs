@@ -94,7 +94,7 @@ pub fn of_count<P: Probe>(tracer: &mut Tracer<P>, at: (u32, u32), count: u32) ->
 #[inline]
 fn alone<P>(tracer: &Tracer<P>, at: (u32, u32)) -> Sampled {
     let (world, settings, budget) = (tracer.world, tracer.settings, tracer.budget);
-    if settings.asks_around() {
+    if settings.pixel.asks_around() {
         let count = around::of_one(world, settings, at);
         return Sampled::with(settings, budget, at, Some(count));
     }

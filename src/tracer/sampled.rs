@@ -27,25 +27,25 @@ impl Sampled {
     /// A pixel without samples.
     #[inline]
     pub fn new(settings: &Settings, budget: Budget, at: (u32, u32)) -> Self {
-        let known = settings.adaptive.is_none().then_some(budget.samples);
+        let known = settings.pixel.adaptive.is_none().then_some(budget.samples);
         Self::with(settings, budget, at, known)
     }
 
     /// The same, where the number of samples may be known before.
     #[inline]
     pub fn with(settings: &Settings, budget: Budget, at: (u32, u32), known: Option<u32>) -> Self {
-        let decides = known.is_none() && !settings.asks_around();
+        let decides = known.is_none() && !settings.pixel.asks_around();
         let afforded = budget.samples;
         Self {
             at,
             pixel: Pixel {
-                cut: afforded < settings.most_samples(),
+                cut: afforded < settings.pixel.most_samples(),
                 ..Pixel::default()
             },
-            target: known.unwrap_or(settings.samples.min(afforded)),
+            target: known.unwrap_or(settings.pixel.samples.min(afforded)),
             weights: known.map(|count| Weights::new(settings, at, count)),
             kept: known.is_none().then(Vec::new),
-            spread: (decides || settings.errors).then(|| Box::new(new_spread(settings))),
+            spread: (decides || settings.pixel.errors).then(|| Box::new(new_spread(settings))),
         }
     }
 
@@ -77,7 +77,7 @@ impl Sampled {
 
     /// More samples for a pixel that may have more: true if it needs them.
     fn raise_target(&mut self, settings: &Settings) -> bool {
-        let (None, Some(adaptive)) = (self.weights, settings.adaptive) else {
+        let (None, Some(adaptive)) = (self.weights, settings.pixel.adaptive) else {
             return false;
         };
         let error = self.standard_error();
@@ -86,7 +86,7 @@ impl Sampled {
             // As many again, until the error is small enough.
             Pilot::Kept if error > adaptive.threshold && !self.pixel.cut => taken,
             // The error falls as n^-1/2 if the samples are independent, and faster if they are not.
-            Pilot::Apart if taken == settings.pilot() => {
+            Pilot::Apart if taken == settings.pixel.pilot() => {
                 self.spread = Some(Box::new(new_spread(settings)));
                 let times = (error / adaptive.threshold).powi(2).clamp(1.0, 1e6);
                 taken.saturating_mul((times.ceil() as u32).next_power_of_two())
@@ -150,7 +150,7 @@ impl Sampled {
 
     /// How much its first samples differ: the estimated variance of their mean.
     pub fn noise(&self, settings: &Settings) -> f64 {
-        let mut spread = Spread::new(settings.samples.div_ceil(2));
+        let mut spread = Spread::new(settings.pixel.samples.div_ceil(2));
         for (radiance, _) in self.kept.iter().flatten() {
             spread.add(radiance.luminance(), 1.0);
         }
@@ -192,8 +192,8 @@ impl Sampled {
 
 /// Sets are groups; without them groups grow from single samples.
 fn new_spread(settings: &Settings) -> Spread {
-    Spread::new(if settings.sets > 1 {
-        settings.set_size()
+    Spread::new(if settings.pixel.sets > 1 {
+        settings.pixel.set_size()
     } else {
         1
     })

@@ -1,9 +1,10 @@
 //! The samples of a pixel: where each lies on the film, who asks for it, and how much it counts.
 
 use super::lights::Asker;
+use crate::math::Sampler;
 use crate::math::points::Run;
 use crate::math::sampler::{Dimension, film_run};
-use crate::scene::{Sampling, Settings};
+use crate::scene::Settings;
 
 /// Where the paths of a pilot's samples start to be numbered: far from those that count, so that they share no random
 /// number with them.
@@ -22,14 +23,14 @@ pub struct Place {
 
 /// Sample number `index` of a pixel.
 pub fn place(settings: &Settings, pixel: (u32, u32), index: u32) -> Place {
-    let pilot = settings.pilot();
+    let pilot = settings.pixel.pilot();
     let (dimension, index, path) = if index < pilot {
         (Dimension::Pilot, index, PILOT_PATH)
     } else {
         (Dimension::Film, index - pilot, 0)
     };
     let [u, v] = point(settings, pixel, dimension, index);
-    let (filter, radius) = (settings.filter, settings.filter_radius);
+    let (filter, radius) = (settings.pixel.filter, settings.pixel.filter_radius);
     let (x, y) = (filter.place(u), filter.place(v));
     let sign = if filter.has_negative_lobes() {
         filter.value(x).signum() * filter.value(y).signum()
@@ -51,18 +52,18 @@ pub fn place(settings: &Settings, pixel: (u32, u32), index: u32) -> Place {
 
 /// A point in [0, 1)^2. Sobol's sequence goes on from set to set; of the others each set has points of its own.
 fn point(settings: &Settings, pixel: (u32, u32), dimension: Dimension, index: u32) -> [f64; 2] {
-    let count = settings.set_size();
-    let (set, index) = match settings.sampling {
-        Sampling::Sobol => (0, index),
+    let count = settings.pixel.set_size();
+    let (set, index) = match settings.pixel.sampler {
+        Sampler::Sobol => (0, index),
         _ => (index / count, index % count),
     };
-    let key = match settings.sampling {
+    let key = match settings.pixel.sampler {
         // No chance in it.
-        Sampling::Regular => 0,
+        Sampler::Grid => 0,
         _ => film_run(settings.seed, pixel, dimension, set),
     };
     let run = Run { key, count };
-    settings.sampling.sampler().point(run, index)
+    settings.pixel.sampler.point(run, index)
 }
 
 /// How much each sample of a pixel counts in its sum.
@@ -82,9 +83,9 @@ impl Weights {
     /// samples, the signs are left out.
     #[inline]
     pub fn new(settings: &Settings, pixel: (u32, u32), count: u32) -> Self {
-        let pilot = settings.pilot();
+        let pilot = settings.pixel.pilot();
         let all = f64::from(count.saturating_sub(pilot).max(1));
-        let signs: f64 = if settings.filter.has_negative_lobes() {
+        let signs: f64 = if settings.pixel.filter.has_negative_lobes() {
             (pilot..count)
                 .map(|index| place(settings, pixel, index).sign)
                 .sum()
@@ -118,17 +119,14 @@ mod tests {
     use crate::math::Filter;
 
     fn at(settings: &Settings) -> Vec<[f64; 2]> {
-        (0..settings.samples)
+        (0..settings.pixel.samples)
             .map(|i| place(settings, (10, 20), i).film)
             .collect()
     }
 
     #[test]
     fn samples_fill_their_pixel_evenly() {
-        let mut settings = Settings {
-            samples: 4,
-            ..Settings::default()
-        };
+        let mut settings = Settings::default().with(|s| s.pixel.samples = 4);
         let regular = [
             [10.25, 20.25],
             [10.75, 20.25],
@@ -136,8 +134,8 @@ mod tests {
             [10.75, 20.75],
         ];
         assert_eq!(at(&settings), regular);
-        for sampling in [Sampling::Jittered, Sampling::Sobol] {
-            settings.sampling = sampling;
+        for sampling in [Sampler::Stratified, Sampler::Sobol] {
+            settings.pixel.sampler = sampling;
             let places = at(&settings);
             for middle in regular {
                 let near = |p: &&[f64; 2]| {
@@ -150,39 +148,33 @@ mod tests {
 
     #[test]
     fn sets_of_jittered_samples_have_points_of_their_own_and_sobol_goes_on() {
-        let one = Settings {
-            samples: 8,
-            sampling: Sampling::Jittered,
-            ..Settings::default()
-        };
-        let two = Settings {
-            samples: 16,
-            sets: 2,
-            ..one
-        };
+        let one = Settings::default().with(|s| {
+            s.pixel.samples = 8;
+            s.pixel.sampler = Sampler::Stratified;
+        });
+        let two = one.with(|s| {
+            s.pixel.samples = 16;
+            s.pixel.sets = 2;
+        });
         let (first, both) = (at(&one), at(&two));
         assert_eq!(first, both[..8]);
         assert!(first.iter().all(|place| !both[8..].contains(place)));
-        let sobol = |settings| Settings {
-            sampling: Sampling::Sobol,
-            ..settings
-        };
-        let whole = Settings { sets: 1, ..two };
+        let sobol = |settings: Settings| settings.with(|s| s.pixel.sampler = Sampler::Sobol);
+        let whole = two.with(|s| s.pixel.sets = 1);
         assert_eq!(at(&sobol(whole)), at(&sobol(two)));
     }
 
     #[test]
     fn weights_add_up_to_one_and_places_stay_within_the_radius() {
         for filter in Filter::ALL {
-            for sampling in Sampling::ALL {
+            for sampling in Sampler::ALL {
                 for samples in [1, 2, 3, 7, 64] {
-                    let settings = Settings {
-                        samples,
-                        sampling,
-                        filter,
-                        filter_radius: 0.75,
-                        ..Settings::default()
-                    };
+                    let settings = Settings::default().with(|s| {
+                        s.pixel.samples = samples;
+                        s.pixel.sampler = sampling;
+                        s.pixel.filter = filter;
+                        s.pixel.filter_radius = 0.75;
+                    });
                     for x in 0..50 {
                         let weights = Weights::new(&settings, (x, 3), samples);
                         let sum: f64 = (0..samples)
@@ -206,16 +198,15 @@ mod tests {
     #[test]
     fn a_pilot_shares_no_place_with_the_samples_that_count() {
         use crate::scene::{Adaptive, Pilot};
-        let settings = Settings {
-            samples: 8,
-            sampling: Sampling::Random,
-            adaptive: Some(Adaptive {
+        let settings = Settings::default().with(|s| {
+            s.pixel.samples = 8;
+            s.pixel.sampler = Sampler::Random;
+            s.pixel.adaptive = Some(Adaptive {
                 threshold: 0.1,
                 most: 64,
                 pilot: Pilot::Apart,
-            }),
-            ..Settings::default()
-        };
+            });
+        });
         let films: Vec<[f64; 2]> = (0..16).map(|i| place(&settings, (1, 2), i).film).collect();
         assert!(films[..8].iter().all(|place| !films[8..].contains(place)));
         let weights = Weights::new(&settings, (1, 2), 16);

@@ -50,7 +50,7 @@ impl Tile {
         let mut probe = P::default();
         let mut film = Film::black(self.size(), settings);
         let mut tracer = Tracer::new(world, settings, &mut probe);
-        if P::LISTENS && settings.asks_around() {
+        if P::LISTENS && settings.pixel.asks_around() {
             let mut silent = Silent;
             let decided = self.begin(&mut Tracer::new(world, settings, &mut silent));
             for (at, count) in decided.iter().map(|p| (p.at(), p.target())) {
@@ -82,7 +82,7 @@ impl Tile {
         let mut pixels: Vec<_> = pixels
             .map(|at| Sampled::new(settings, budget, at))
             .collect();
-        if settings.asks_around() {
+        if settings.pixel.asks_around() {
             take(tracer, &mut pixels);
             around::decide(settings, &mut pixels);
         }
@@ -132,11 +132,11 @@ fn take<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [Sampled]) {
 pub fn tiles(settings: &Settings) -> Vec<Tile> {
     let starts = |end: u32| (0..end).step_by(TILE as usize);
     let range = |start: u32, end: u32| [start, (start + TILE).min(end)];
-    starts(settings.height)
+    starts(settings.image.height)
         .flat_map(|y| {
-            starts(settings.width).map(move |x| Tile {
-                x: range(x, settings.width),
-                y: range(y, settings.height),
+            starts(settings.image.width).map(move |x| Tile {
+                x: range(x, settings.image.width),
+                y: range(y, settings.image.height),
             })
         })
         .collect()

@@ -264,11 +264,11 @@ impl<'a, P: Probe> Tracer<'a, P> {
 
     /// The three ends of recursion besides a miss: depth, weight and budget.
     fn within_limits(&mut self, depth: u32, throughput: Rgb) -> Result<(), Absence> {
-        if depth >= self.settings.depth {
+        if depth >= self.settings.recursion.depth {
             return Err(Absence::DepthLimit);
         }
         let weight = throughput.max_channel();
-        if weight < self.settings.min_weight {
+        if weight < self.settings.recursion.min_weight {
             return Err(Absence::MinWeight { weight });
         }
         if depth >= MAX_DEPTH {

@@ -23,7 +23,7 @@ pub fn title(app: &App, place: Rect, buffer: &mut Buffer) {
         return;
     };
     let trace = &session.trace;
-    let [r, g, b] = (trace.pixel.color * session.settings.exposure).to_srgb8();
+    let [r, g, b] = (trace.pixel.color * session.settings.image.exposure).to_srgb8();
     let mut line = Line::from(vec![
         Span::raw(format!(" {}  ", session.world.scene.name)).bold(),
         Span::raw(format!("pixel ({}, {})  ", trace.x, trace.y)),
@@ -33,7 +33,7 @@ pub fn title(app: &App, place: Rect, buffer: &mut Buffer) {
         line.push_span("  ");
     }
     line.push_span(theme::swatch(
-        trace.pixel.color * session.settings.exposure,
+        trace.pixel.color * session.settings.image.exposure,
         app.options.color,
     ));
     line.push_span(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays));
@@ -58,7 +58,7 @@ pub fn status(app: &App, place: Rect, buffer: &mut Buffer) {
     }
     match app.picture.exact((x, y)) {
         Some(color) => {
-            let shown = color * app.settings.exposure;
+            let shown = color * app.settings.image.exposure;
             let [r, g, b] = shown.to_srgb8();
             line.push_span(theme::swatch(shown, app.options.color));
             let Rgb {
@@ -107,7 +107,7 @@ fn busy(app: &App) -> String {
 
 /// The command that traces the pixel under the cursor as text.
 pub fn rerun(app: &App) -> String {
-    let Settings { width, height, .. } = app.settings;
+    let (width, height) = app.settings.size();
     let (x, y) = app.picture.cursor;
     let mut command = format!(
         "raytree trace {} --size {width}x{height} --pixel {x},{y}",

@@ -51,7 +51,7 @@ impl App {
             scaled(cursor.1, old.1, fitted.size.1),
         );
         self.picture = Picture::new(size, visible, cursor);
-        (self.settings.width, self.settings.height) = self.picture.size;
+        (self.settings.image.width, self.settings.image.height) = self.picture.size;
         true
     }
 

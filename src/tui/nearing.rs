@@ -17,6 +17,7 @@ use super::draw::write;
 use super::layout::{Panes, inside};
 use super::{picture_pane, theme};
 use crate::lab::front::fit;
+use crate::math::Sampler;
 use crate::scene::{Effect, Sampling, Settings, limits};
 use crate::tracer::{Pixel, pixel_unless};
 use crate::world::World;
@@ -45,28 +46,29 @@ const SETS: u32 = 8;
 /// The settings with so many samples a pixel, such that their differences tell how wrong they are: on a grid there is no
 /// chance in them, so Sobol's points take their place; jittered ones come in sets (see [`crate::tracer::spread`]).
 pub fn sampled(settings: &Settings, samples: u32) -> Settings {
-    Settings {
-        samples,
-        sets: match settings.sampling {
-            Sampling::Jittered if samples >= 2 * SETS => settings.sets.max(SETS).min(samples),
-            _ => settings.sets.min(samples),
-        },
-        sampling: match settings.sampling {
-            Sampling::Regular => Sampling::Sobol,
+    settings.with(|s| {
+        s.pixel.samples = samples;
+        s.pixel.sets = match settings.pixel.sampler {
+            Sampler::Stratified if samples >= 2 * SETS => {
+                settings.pixel.sets.max(SETS).min(samples)
+            }
+            _ => settings.pixel.sets.min(samples),
+        };
+        s.pixel.sampler = match settings.pixel.sampler {
+            Sampler::Grid => Sampler::Sobol,
             other => other,
-        },
-        adaptive: None,
-        errors: true,
-        ..*settings
-    }
+        };
+        s.pixel.adaptive = None;
+        s.pixel.errors = true;
+    })
 }
 
 /// True if anything in a pixel is left to chance.
 fn has_chance(world: &World, settings: &Settings) -> bool {
     let lights = &world.scene.lights;
     let soft = lights.iter().any(|l| l.source.is_area());
-    settings.samples > 1
-        || settings.adaptive.is_some()
+    settings.pixel.samples > 1
+        || settings.pixel.adaptive.is_some()
         || (soft
             && settings.effects.has(Effect::SoftShadows)
             && settings.effects.has(Effect::Shadows))
@@ -241,16 +243,16 @@ fn lines(app: &App, nearing: &Nearing, width: u16) -> Vec<Line<'static>> {
     let Some(pixel) = nearing.points.last() else {
         return vec![Line::raw(" ...")];
     };
-    let shown = pixel.color * app.settings.exposure;
+    let shown = pixel.color * app.settings.image.exposure;
     let mut value = Line::from(theme::swatch(shown, app.options.color));
     value.push_span(Span::raw(format!(" luminance {:.5}", pixel.color.luminance())).bold());
     let settings = sampled(&app.settings, pixel.samples);
-    let at_most = match settings.sampling {
-        Sampling::Sobol => "at most ",
+    let at_most = match settings.pixel.sampler {
+        Sampler::Sobol => "at most ",
         _ => "",
     };
     value.push_span(format!(" ± {at_most}{}", error(pixel)));
-    let sets = match settings.sets {
+    let sets = match settings.pixel.sets {
         1 => String::new(),
         n => format!(" in {n} sets"),
     };
@@ -259,7 +261,7 @@ fn lines(app: &App, nearing: &Nearing, width: u16) -> Vec<Line<'static>> {
     let text = format!(
         "{} {} samples{sets}, {} rays; {slope}{}",
         pixel.samples,
-        settings.sampling.name(),
+        Sampling::of(settings.pixel.sampler).name(),
         pixel.rays,
         nearing.end.unwrap_or("more are coming")
     );

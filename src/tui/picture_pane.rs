@@ -105,7 +105,7 @@ pub fn draw(app: &App, placement: &Placement, buffer: &mut Buffer) {
     let cells = placement.cells;
     let color = |column, half| {
         let at = placement.half(column, half)?;
-        Some(app.picture.nearest(at)? * app.settings.exposure)
+        Some(app.picture.nearest(at)? * app.settings.image.exposure)
     };
     for row in 0..cells.height {
         for column in 0..cells.width {

@@ -271,7 +271,7 @@ fn help_opens_scrolls_and_closes() {
 #[test]
 fn the_line_that_reruns_a_pixel_has_what_the_scene_does_not() {
     let mut app = app(120, 36);
-    app.settings.depth = 9;
+    app.settings.recursion.depth = 9;
     app.settings.fresnel = crate::shading::Fresnel::None;
     let line = super::bars::rerun(&app);
     let end = "whitted --size 120x66 --pixel 60,33 --depth 9 --fresnel none";
@@ -361,7 +361,7 @@ fn the_picture_is_that_of_the_tracer() {
     // Each half cell is one pixel.
     let drawn = buffer(&app);
     let color = |c: Rgb| {
-        let [r, g, b] = (c * app.settings.exposure).to_srgb8();
+        let [r, g, b] = (c * app.settings.image.exposure).to_srgb8();
         Color::Rgb(r, g, b)
     };
     let cell = &drawn[(3, 5)];

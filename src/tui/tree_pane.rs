@@ -152,7 +152,7 @@ fn bundle(session: &Session, row: Row, level: ColorLevel, line: &mut Line) -> Li
     };
     Line::from(vec![
         Span::raw(format!(" {share:>6.1} % ")),
-        theme::swatch(bundle.mean * session.settings.exposure, level),
+        theme::swatch(bundle.mean * session.settings.image.exposure, level),
         Span::raw(" "),
     ])
 }
@@ -173,7 +173,7 @@ fn columns(session: &Session, id: u32, level: ColorLevel) -> Line<'static> {
     };
     Line::from(vec![
         Span::raw(format!(" t {t:>8} {share:>6} % ")),
-        theme::swatch(color * session.settings.exposure, level),
+        theme::swatch(color * session.settings.image.exposure, level),
         Span::raw(" "),
     ])
 }

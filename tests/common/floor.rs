@@ -49,15 +49,14 @@ pub type How = (Sampler, LightSampling);
 
 /// One pixel with one sample in it.
 pub fn settings((sampler, light_sampling): How, light_samples: u32, seed: u64) -> Settings {
-    Settings {
-        light_sampling,
-        width: 1,
-        height: 1,
-        sampler,
-        light_samples,
-        seed,
-        ..Settings::default()
-    }
+    Settings::default().with(|s| {
+        s.light.density = light_sampling;
+        s.image.width = 1;
+        s.image.height = 1;
+        s.light.sampler = sampler;
+        s.light.samples = light_samples;
+        s.seed = seed;
+    })
 }
 
 /// The irradiance of the floor by one render: its radiance is E / pi.

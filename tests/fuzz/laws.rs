@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use raytree::accel::AccelKind;
 use raytree::math::Rgb;
 use raytree::probe::Silent;
-use raytree::scene::{Scene, SceneError, Settings, load_held};
+use raytree::scene::{Scene, SceneError, load_held};
 use raytree::trace::{PixelTrace, RayTree, Recorder, View, diagram, explain, json, ledger, text};
 use raytree::tracer::{Flow, pixel, render};
 use raytree::world::World;
@@ -210,19 +210,18 @@ pub fn check_picture(scene: &Scene, chance: usize) -> Result<(), Broken> {
 
 fn picture(scene: &Scene, chance: usize) -> Result<(), Broken> {
     let accel = AccelKind::ALL[chance % AccelKind::ALL.len()];
-    let settings = Settings {
-        width: EDGE,
-        height: EDGE,
-        max_rays: RAYS * u64::from(EDGE * EDGE),
-        accel,
-        ..scene.settings
-    };
+    let settings = scene.settings.with(|s| {
+        s.image.width = EDGE;
+        s.image.height = EDGE;
+        s.recursion.max_rays = RAYS * u64::from(EDGE * EDGE);
+        s.accel = accel;
+    });
     let world = World::new(scene.clone(), accel);
     let (film, _) = render::<Silent>(&world, &settings, 1, &|_, _| Flow::Continue);
-    if film.rays > settings.max_rays {
+    if film.rays > settings.recursion.max_rays {
         return Err(broken(
             "budget",
-            format!("{} rays of {}", film.rays, settings.max_rays),
+            format!("{} rays of {}", film.rays, settings.recursion.max_rays),
         ));
     }
     let finite = |c: Rgb| c.channels().into_iter().all(|x| x.is_finite() && x >= 0.0);

@@ -4,7 +4,7 @@ use raytree::accel::AccelKind;
 use raytree::math::sampler::mix;
 use raytree::math::{LightSampling, Rgb, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings};
+use raytree::scene::{self, Adaptive, Pilot, Settings};
 use raytree::tracer::{Film, Flow, pixel, render};
 use raytree::world::World;
 
@@ -31,16 +31,15 @@ fn faint(edge: u32) -> (World, Settings) {
     let path = folder.path().join("faint.json");
     std::fs::write(&path, FAINT).expect("room on the disk");
     let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
-    let settings = Settings {
-        width: edge,
-        height: edge,
-        samples: 4,
-        sampling: Sampling::Sobol,
-        light_samples: 1,
+    let settings = scene.settings.with(|s| {
+        s.image.width = edge;
+        s.image.height = edge;
+        s.pixel.samples = 4;
+        s.pixel.sampler = Sampler::Sobol;
+        s.light.samples = 1;
         // What is not covered is no noise.
-        light_sampling: LightSampling::Projected,
-        ..scene.settings
-    };
+        s.light.density = LightSampling::Projected;
+    });
     (World::new(scene, AccelKind::Wide), settings)
 }
 
@@ -51,10 +50,7 @@ fn decided(settings: &Settings, threshold: f64, pilot: Pilot) -> Settings {
         most,
         pilot,
     });
-    Settings {
-        adaptive,
-        ..*settings
-    }
+    settings.with(|s| s.pixel.adaptive = adaptive)
 }
 
 fn film(world: &World, settings: &Settings) -> Film {
@@ -84,11 +80,10 @@ fn a_faint_penumbra_that_a_pixel_misses_is_seen_by_those_around_it() {
 fn what_others_decide_is_unbiased() {
     let (world, settings) = faint(5);
     let truth = {
-        let fine = Settings {
-            samples: 4096,
-            seed: 99,
-            ..settings
-        };
+        let fine = settings.with(|s| {
+            s.pixel.samples = 4096;
+            s.seed = 99;
+        });
         pixel(&world, &fine, (2, 2), &mut Silent).color.g
     };
     let runs = 3000;
@@ -98,11 +93,10 @@ fn what_others_decide_is_unbiased() {
             let mut sums = [0.0; 2];
             for run in 0..runs {
                 let seed = mix(run);
-                let settings = Settings {
-                    seed,
-                    sampler,
-                    ..settings
-                };
+                let settings = settings.with(|s| {
+                    s.seed = seed;
+                    s.light.sampler = sampler;
+                });
                 let off = pixel(&world, &settings, (2, 2), &mut Silent).color.g / truth - 1.0;
                 sums = [sums[0] + off, sums[1] + off * off];
             }
@@ -134,20 +128,11 @@ fn limits_hold() {
     assert!(!whole.cut && whole.samples.iter().all(|n| *n <= 256));
     // Room for 2 rays a pixel: fewer than the first samples would take.
     for max_rays in [400, 800, 4000] {
-        let short = film(
-            &world,
-            &Settings {
-                max_rays,
-                ..settings
-            },
-        );
+        let short = film(&world, &settings.with(|s| s.recursion.max_rays = max_rays));
         assert!(short.cut && short.rays <= max_rays, "{}", short.rays);
         let alone = pixel(
             &world,
-            &Settings {
-                max_rays,
-                ..settings
-            },
+            &settings.with(|s| s.recursion.max_rays = max_rays),
             (7, 9),
             &mut Silent,
         );

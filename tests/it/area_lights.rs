@@ -323,12 +323,11 @@ fn a_light_does_not_stand_in_its_own_way_at_any_scale() {
                 std::fs::write(&path, text).expect("room on the disk");
                 let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
                 let world = World::new(scene, AccelKind::List);
-                let settings = Settings {
-                    width: 8,
-                    height: 6,
-                    light_samples: 64,
-                    ..Settings::default()
-                };
+                let settings = Settings::default().with(|s| {
+                    s.image.width = 8;
+                    s.image.height = 6;
+                    s.light.samples = 64;
+                });
                 let (mut lit, mut blocked) = (0, 0);
                 for at in (0..48).map(|i| (i % 8, i / 8)) {
                     let trace = trace_pixel(&world, &settings, at, false);
@@ -370,12 +369,11 @@ fn a_light_does_not_stand_in_its_own_way_above_a_large_floor() {
         std::fs::write(&path, text).expect("room on the disk");
         let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
         let world = World::new(scene, AccelKind::List);
-        let settings = Settings {
-            width: 8,
-            height: 6,
-            light_samples: 64,
-            ..Settings::default()
-        };
+        let settings = Settings::default().with(|s| {
+            s.image.width = 8;
+            s.image.height = 6;
+            s.light.samples = 64;
+        });
         for at in (0..48).map(|i| (i % 8, i / 8)) {
             let trace = trace_pixel(&world, &settings, at, false);
             let view = View {

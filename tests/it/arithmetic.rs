@@ -38,13 +38,12 @@ fn variants() -> Vec<Arithmetic> {
 
 fn world(name: &str, kind: AccelKind, arithmetic: Arithmetic) -> (World, Settings) {
     let scene = scene::load(name).expect("a built-in scene");
-    let settings = Settings {
-        width: 24,
-        height: 18,
-        light_samples: 2,
-        arithmetic,
-        ..scene.settings
-    };
+    let settings = scene.settings.with(|s| {
+        s.image.width = 24;
+        s.image.height = 18;
+        s.light.samples = 2;
+        s.arithmetic = arithmetic;
+    });
     (World::new(scene.computed_with(arithmetic), kind), settings)
 }
 
@@ -121,11 +120,11 @@ fn back_to_our_own_arithmetic_the_bits_are_the_same() {
 fn self_hits(name: &str, arithmetic: Arithmetic) -> (usize, usize) {
     let (world, settings) = world(name, AccelKind::Bsp, arithmetic);
     let (mut pixels, mut explained) = (0, 0);
-    for i in 0..settings.width * settings.height {
+    for i in 0..settings.image.width * settings.image.height {
         let trace = trace_pixel(
             &world,
             &settings,
-            (i % settings.width, i / settings.width),
+            (i % settings.image.width, i / settings.image.width),
             false,
         );
         let view = View {

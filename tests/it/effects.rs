@@ -15,14 +15,13 @@ use raytree::world::World;
 use crate::common;
 
 fn small(scene: &Scene, effects: Effects) -> Settings {
-    Settings {
-        width: 40,
-        height: 30,
-        samples: 2,
-        light_samples: 4,
-        effects,
-        ..scene.settings
-    }
+    scene.settings.with(|s| {
+        s.image.width = 40;
+        s.image.height = 30;
+        s.pixel.samples = 2;
+        s.light.samples = 4;
+        s.effects = effects;
+    })
 }
 
 fn bits(world: &World, settings: &Settings) -> Vec<[u64; 3]> {

@@ -6,7 +6,7 @@
 
 use raytree::accel::AccelKind;
 use raytree::probe::Silent;
-use raytree::scene::{self, Settings};
+use raytree::scene;
 use raytree::tracer::pixel;
 use raytree::world::World;
 
@@ -36,13 +36,12 @@ fn seen(wall: Option<f64>, sky: f64, depth: u32) -> f64 {
     let path = folder.path().join("slab.json");
     std::fs::write(&path, text).expect("room on the disk");
     let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
-    let settings = Settings {
-        width: 1,
-        height: 1,
-        depth,
-        min_weight: 0.0,
-        ..scene.settings
-    };
+    let settings = scene.settings.with(|s| {
+        s.image.width = 1;
+        s.image.height = 1;
+        s.recursion.depth = depth;
+        s.recursion.min_weight = 0.0;
+    });
     let world = World::new(scene, AccelKind::List);
     pixel(&world, &settings, (0, 0), &mut Silent)
         .color

@@ -176,13 +176,12 @@ fn document(world: &World, settings: &Settings, at: (u32, u32)) -> Value {
 /// Checks every `step`th pixel of a built-in scene against the laws and against the rendered picture.
 fn check_scene(name: &str, width: u32, height: u32, samples: u32, step: u32) -> Met {
     let base = scene::load(name).expect("a built-in scene").settings;
-    let settings = Settings {
-        width,
-        height,
-        samples,
-        light_samples: 16,
-        ..base
-    };
+    let settings = base.with(|s| {
+        s.image.width = width;
+        s.image.height = height;
+        s.pixel.samples = samples;
+        s.light.samples = 16;
+    });
     let world = world(name, &settings);
     let film = film(&world, &settings);
     let lights = world.scene.lights.iter();
@@ -256,11 +255,13 @@ fn many_samples_obey_the_laws() {
 
 #[test]
 fn the_command_writes_what_the_library_makes() {
-    let settings = Settings {
-        width: 64,
-        height: 48,
-        ..scene::load("whitted").expect("built in").settings
-    };
+    let settings = scene::load("whitted")
+        .expect("built in")
+        .settings
+        .with(|s| {
+            s.image.width = 64;
+            s.image.height = 48;
+        });
     let output = Command::new(env!("CARGO_BIN_EXE_raytree"))
         .args(["trace", "whitted", "--size", "64x48", "--pixel", "30,20"])
         .output()
@@ -277,11 +278,10 @@ fn the_command_writes_what_the_library_makes() {
 fn documents_are_valid_by_the_schema() {
     let validator = jsonschema::validator_for(&json::schema()).expect("a schema");
     for (name, _) in scene::list() {
-        let settings = Settings {
-            width: 16,
-            height: 12,
-            ..Settings::default()
-        };
+        let settings = Settings::default().with(|s| {
+            s.image.width = 16;
+            s.image.height = 12;
+        });
         let world = world(name, &settings);
         for at in [(8, 6), (8, 9), (0, 0)] {
             let trace = trace_pixel(&world, &settings, at, true);

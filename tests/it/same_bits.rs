@@ -3,7 +3,7 @@
 use raytree::accel::AccelKind;
 use raytree::math::{Filter, LightSampling, Rgb, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Adaptive, Pilot, Sampling, Settings};
+use raytree::scene::{self, Adaptive, Pilot, Settings};
 use raytree::trace::{Counts, ledger, trace_pixel};
 use raytree::tracer::{Film, Flow, render};
 use raytree::world::World;
@@ -21,11 +21,10 @@ fn bits(pixels: &[Rgb]) -> Vec<[u64; 3]> {
 
 fn settings_of(name: &str, width: u32, height: u32) -> Settings {
     let base = scene::load(name).expect("a built-in scene").settings;
-    Settings {
-        width,
-        height,
-        ..base
-    }
+    base.with(|s| {
+        s.image.width = width;
+        s.image.height = height;
+    })
 }
 
 #[test]
@@ -97,26 +96,25 @@ fn ways_to_sample(base: Settings) -> Vec<Settings> {
         (1, adaptive(Pilot::Apart)),
         (1, adaptive(Pilot::Around)),
     ];
-    for sampling in Sampling::ALL {
+    for sampling in Sampler::ALL {
         for filter in Filter::ALL {
             for (sets, adaptive) in plans {
-                let sampler = if sampling == Sampling::Jittered {
+                let sampler = if sampling == Sampler::Stratified {
                     Sampler::Stratified
                 } else {
-                    base.sampler
+                    base.light.sampler
                 };
-                ways.push(Settings {
-                    samples: 5,
-                    sets,
-                    sampling,
-                    filter,
-                    filter_radius: filter.usual_radius(),
-                    adaptive,
-                    light_samples: 2,
-                    sampler,
-                    errors: true,
-                    ..base
-                });
+                ways.push(base.with(|s| {
+                    s.pixel.samples = 5;
+                    s.pixel.sets = sets;
+                    s.pixel.sampler = sampling;
+                    s.pixel.filter = filter;
+                    s.pixel.filter_radius = filter.usual_radius();
+                    s.pixel.adaptive = adaptive;
+                    s.light.samples = 2;
+                    s.light.sampler = sampler;
+                    s.pixel.errors = true;
+                }));
             }
         }
     }
@@ -165,17 +163,13 @@ fn however_samples_are_chosen_the_replay_is_the_picture() {
 
 #[test]
 fn samples_by_chance_change_with_the_seed() {
-    for sampling in [Sampling::Random, Sampling::Jittered, Sampling::Sobol] {
-        let settings = Settings {
-            samples: 4,
-            sampling,
-            ..settings_of("whitted", 40, 30)
-        };
+    for sampling in [Sampler::Random, Sampler::Stratified, Sampler::Sobol] {
+        let settings = settings_of("whitted", 40, 30).with(|s| {
+            s.pixel.samples = 4;
+            s.pixel.sampler = sampling;
+        });
         let world = World::new(scene::load("whitted").expect("built in"), settings.accel);
-        let other = Settings {
-            seed: 1,
-            ..settings
-        };
+        let other = settings.with(|s| s.seed = 1);
         assert_ne!(film(&world, &settings, 2), film(&world, &other, 2));
     }
 }
@@ -192,13 +186,12 @@ fn rays_to_area_lights_are_the_same_when_they_are_foreseen() {
         ("lamps", 7, 40 * 30 * 15),
     ] {
         for light_sampling in LightSampling::ALL {
-            let settings = Settings {
-                samples: 2,
-                light_samples,
-                light_sampling,
-                max_rays,
-                ..settings_of(name, 40, 30)
-            };
+            let settings = settings_of(name, 40, 30).with(|s| {
+                s.pixel.samples = 2;
+                s.light.samples = light_samples;
+                s.light.density = light_sampling;
+                s.recursion.max_rays = max_rays;
+            });
             let scene = scene::load(name).expect("built in");
             let [wide, list] =
                 [AccelKind::Wide, AccelKind::List].map(|kind| World::new(scene.clone(), kind));

@@ -7,7 +7,7 @@ use raytree::math::sampler::{mix, unit};
 use raytree::math::{DVec3, Filter, Rgb, Sampler};
 use raytree::probe::Silent;
 use raytree::scene::camera::Camera;
-use raytree::scene::{self, Adaptive, Pilot, Sampling, Scene, Settings};
+use raytree::scene::{self, Adaptive, Pilot, Scene, Settings};
 use raytree::tracer::{Pixel, pixel};
 use raytree::world::World;
 
@@ -55,7 +55,7 @@ impl Edge {
             .map(|seed| {
                 let angle = std::f64::consts::TAU * unit(mix(2 * seed));
                 let d = unit(mix(2 * seed + 1)) - 0.5;
-                self.pixel(&Settings { seed, ..*settings }, angle, d)
+                self.pixel(&settings.with(|s| s.seed = seed), angle, d)
             })
             .collect()
     }
@@ -85,14 +85,13 @@ fn lit_area(c: f64, s: f64, d: f64) -> f64 {
     doubled / 2.0
 }
 
-fn settings(sampling: Sampling, samples: u32) -> Settings {
-    Settings {
-        width: 1,
-        height: 1,
-        samples,
-        sampling,
-        ..Settings::default()
-    }
+fn settings(sampling: Sampler, samples: u32) -> Settings {
+    Settings::default().with(|s| {
+        s.image.width = 1;
+        s.image.height = 1;
+        s.pixel.samples = samples;
+        s.pixel.sampler = sampling;
+    })
 }
 
 fn rms(values: impl IntoIterator<Item = f64>) -> f64 {
@@ -120,8 +119,8 @@ fn an_edge_through_a_pixel_covers_what_it_does_at_a_thousand_angles() {
     assert!((lit_area(0.6, 0.8, 0.0) - 0.5).abs() < 1e-15);
     assert!((lit_area(1.0, 0.0, 0.25) - 0.25).abs() < 1e-15);
     let mut found = |sampling| errors(&edge.pixels(&settings(sampling, 64), 1000));
-    let (random, jittered) = (found(Sampling::Random), found(Sampling::Jittered));
-    let (regular, sobol) = (found(Sampling::Regular), found(Sampling::Sobol));
+    let (random, jittered) = (found(Sampler::Random), found(Sampler::Stratified));
+    let (regular, sobol) = (found(Sampler::Grid), found(Sampler::Sobol));
     println!("random {random:?} jittered {jittered:?} regular {regular:?} sobol {sobol:?}");
     assert!(random.0 < 0.06 && random.1 < 5.0 * 0.0625);
     assert!(jittered.0 < 0.03 && jittered.1 < 4.5 * 0.03);
@@ -213,7 +212,7 @@ fn slope(points: &[(f64, f64)]) -> f64 {
 fn an_edge_shows_the_integral_of_each_filter() {
     let mut edge = Edge::new();
     for filter in Filter::ALL {
-        for sampling in [Sampling::Random, Sampling::Jittered, Sampling::Sobol] {
+        for sampling in [Sampler::Random, Sampler::Stratified, Sampler::Sobol] {
             let radius = filter.usual_radius();
             for d in [-0.7, -0.2, 0.0, 0.4, 1.3] {
                 let steps = 4000;
@@ -224,13 +223,17 @@ fn an_edge_shows_the_integral_of_each_filter() {
                     .map(|x| filter.value(x / radius) / radius * width)
                     .sum();
                 let runs = 60;
-                let settings = Settings {
-                    filter,
-                    filter_radius: radius,
-                    ..settings(sampling, 64)
-                };
+                let settings = settings(sampling, 64).with(|s| {
+                    s.pixel.filter = filter;
+                    s.pixel.filter_radius = radius;
+                });
                 let values: Vec<f64> = (0..runs)
-                    .map(|seed| edge.pixel(&Settings { seed, ..settings }, 0.0, d).0.color.g)
+                    .map(|seed| {
+                        edge.pixel(&settings.with(|s| s.seed = seed), 0.0, d)
+                            .0
+                            .color
+                            .g
+                    })
                     .collect();
                 let n = runs as f64;
                 let mean = values.iter().sum::<f64>() / n;
@@ -254,14 +257,13 @@ fn an_edge_shows_the_integral_of_each_filter() {
 fn a_wall_of_one_brightness_has_no_noise_with_any_filter() {
     let mut edge = Edge::new();
     for filter in Filter::ALL {
-        for sampling in Sampling::ALL {
+        for sampling in Sampler::ALL {
             for samples in [1, 3, 16] {
-                let settings = Settings {
-                    filter,
-                    filter_radius: filter.usual_radius(),
-                    errors: true,
-                    ..settings(sampling, samples)
-                };
+                let settings = settings(sampling, samples).with(|s| {
+                    s.pixel.filter = filter;
+                    s.pixel.filter_radius = filter.usual_radius();
+                    s.pixel.errors = true;
+                });
                 let (wall, _) = edge.pixel(&settings, 0.3, -20.0);
                 assert!((wall.color.g - 1.0).abs() < 1e-12, "{filter:?}, {samples}");
                 assert!(samples == 1 || wall.error == 0.0);
@@ -276,11 +278,10 @@ fn a_wall_of_one_brightness_has_no_noise_with_any_filter() {
 fn standard_errors_are_right_or_too_large() {
     let mut edge = Edge::new();
     let mut ratio = |sampling, samples, sets| {
-        let settings = Settings {
-            sets,
-            errors: true,
-            ..settings(sampling, samples)
-        };
+        let settings = settings(sampling, samples).with(|s| {
+            s.pixel.sets = sets;
+            s.pixel.errors = true;
+        });
         let pixels = edge.pixels(&settings, 1500);
         let ratio = rms(pixels.iter().map(|(pixel, _)| pixel.error)) / errors(&pixels).0;
         println!("{sampling:?}, {samples} samples in {sets} sets: {ratio:.2}");
@@ -288,13 +289,13 @@ fn standard_errors_are_right_or_too_large() {
     };
     // The ratio itself is uncertain by about 1 / sqrt(2 x 1500) = 2 %.
     for samples in [5, 16, 64] {
-        assert!((ratio(Sampling::Random, samples, 1) - 1.0).abs() < 0.1);
+        assert!((ratio(Sampler::Random, samples, 1) - 1.0).abs() < 0.1);
     }
-    assert!((ratio(Sampling::Jittered, 64, 8) - 1.0).abs() < 0.1);
+    assert!((ratio(Sampler::Stratified, 64, 8) - 1.0).abs() < 0.1);
     for (sampling, sets) in [
-        (Sampling::Jittered, 1),
-        (Sampling::Sobol, 1),
-        (Sampling::Sobol, 8),
+        (Sampler::Stratified, 1),
+        (Sampler::Sobol, 1),
+        (Sampler::Sobol, 8),
     ] {
         for samples in [16, 64, 256] {
             let ratio = ratio(sampling, samples, sets);
@@ -303,21 +304,20 @@ fn standard_errors_are_right_or_too_large() {
     }
 }
 
-fn adaptive(sampling: Sampling, threshold: f64, pilot: Pilot) -> Settings {
-    Settings {
-        adaptive: Some(Adaptive {
+fn adaptive(sampling: Sampler, threshold: f64, pilot: Pilot) -> Settings {
+    settings(sampling, 8).with(|s| {
+        s.pixel.adaptive = Some(Adaptive {
             threshold,
             most: 4096,
             pilot,
-        }),
-        ..settings(sampling, 8)
-    }
+        })
+    })
 }
 
 #[test]
 fn adaptive_samples_go_where_they_differ_and_bring_the_error_down() {
     let mut edge = Edge::new();
-    for sampling in [Sampling::Random, Sampling::Jittered, Sampling::Sobol] {
+    for sampling in [Sampler::Random, Sampler::Stratified, Sampler::Sobol] {
         for threshold in [0.1, 0.03] {
             let settings = adaptive(sampling, threshold, Pilot::Kept);
             let flat = edge.pixel(&settings, 0.1, -3.0).0;
@@ -342,14 +342,14 @@ fn adaptive_samples_go_where_they_differ_and_bring_the_error_down() {
 fn a_pilot_apart_is_unbiased_and_one_that_is_kept_is_not() {
     let mut edge = Edge::new();
     let runs = 6000;
-    for sampling in [Sampling::Random, Sampling::Jittered, Sampling::Sobol] {
+    for sampling in [Sampler::Random, Sampler::Stratified, Sampler::Sobol] {
         let [kept, apart] = [Pilot::Kept, Pilot::Apart].map(|pilot| {
             let settings = adaptive(sampling, 0.05, pilot);
             // A tenth of the pixel is lit: most of the time few of the first samples see it.
             let off: Vec<f64> = (0..runs)
                 .map(|run| {
                     let seed = mix(run);
-                    let (pixel, truth) = edge.pixel(&Settings { seed, ..settings }, 0.4, 0.45);
+                    let (pixel, truth) = edge.pixel(&settings.with(|s| s.seed = seed), 0.4, 0.45);
                     pixel.color.g - truth
                 })
                 .collect();
@@ -361,7 +361,7 @@ fn a_pilot_apart_is_unbiased_and_one_that_is_kept_is_not() {
             kept.0, kept.1, apart.0, apart.1
         );
         assert!(apart.0.abs() < 4.0 * apart.1, "{sampling:?}: {apart:?}");
-        if sampling == Sampling::Random {
+        if sampling == Sampler::Random {
             assert!(kept.0 < -4.0 * kept.1, "this test can see a bias: {kept:?}");
         }
     }
@@ -378,8 +378,8 @@ fn a_sample_that_is_no_number_counts_as_black_and_is_told_of() {
             world: World::new(scene, AccelKind::List),
         };
         for samples in [
-            settings(Sampling::Jittered, 64),
-            adaptive(Sampling::Sobol, 0.1, Pilot::Kept),
+            settings(Sampler::Stratified, 64),
+            adaptive(Sampler::Sobol, 0.1, Pilot::Kept),
         ] {
             let (found, lit) = edge.pixel(&samples, 0.4, 0.1);
             assert_eq!(found.color, Rgb::BLACK);

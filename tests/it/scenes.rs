@@ -151,7 +151,7 @@ fn the_block_reflects_totally_and_the_mirrors_end_at_the_depth_limit() {
     let absences = |name: &str| {
         let scene = load(name).expect("built in");
         let mut settings = scene.settings;
-        (settings.width, settings.height) = (64, 48);
+        (settings.image.width, settings.image.height) = (64, 48);
         let world = World::new(scene, settings.accel);
         let (_, probes) = render::<Absences>(&world, &settings, 2, &|_, _| Flow::Continue);
         let sum = |part: fn(&Absences) -> usize| probes.iter().map(part).sum::<usize>();

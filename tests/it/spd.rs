@@ -74,7 +74,7 @@ fn near(what: &str, found: f64, published: [u64; 2], tolerance: f64) {
 fn check(name: &str, published: &Published) {
     let scene = scene::load(name).expect("computed");
     let settings = scene.settings;
-    assert_eq!((settings.size(), settings.depth), ((513, 513), 4));
+    assert_eq!((settings.size(), settings.recursion.depth), ((513, 513), 4));
     let mut world = World::new(scene, settings.accel);
 
     // Some of the corners of the 512 x 512 pixels, by the same reckoning as all of them.
@@ -83,11 +83,10 @@ fn check(name: &str, published: &Published) {
     let camera = &mut world.scene.camera;
     let whole = camera.half_height;
     camera.half_height = whole * (512.0 / all) * (one / (one - 1.0));
-    let some = Settings {
-        width: edge,
-        height: edge,
-        ..settings
-    };
+    let some = settings.with(|s| {
+        s.image.width = edge;
+        s.image.height = edge;
+    });
     let rays = tally(&world, &some);
     let scale = (all / one) * (all / one);
     near(
@@ -107,10 +106,7 @@ fn check(name: &str, published: &Published) {
     // What the eye sees, in full.
     world.scene.camera.half_height = whole;
     world.scene.lights.clear();
-    let direct = Settings {
-        depth: 0,
-        ..settings
-    };
+    let direct = settings.with(|s| s.recursion.depth = 0);
     let hits = tally(&world, &direct).eye_hits;
     near("eye hits", hits as f64, published.eye_hits, 0.005);
     println!("{name}: {hits} {rays:?}");

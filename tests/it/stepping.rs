@@ -15,13 +15,12 @@ use crate::common;
 
 fn traced(name: &str, at: (u32, u32), depth: u32) -> (World, Settings, PixelTrace) {
     let scene = scene::load(name).expect("a built-in scene");
-    let settings = Settings {
-        width: 64,
-        height: 48,
-        depth,
-        samples: 2,
-        ..scene.settings
-    };
+    let settings = scene.settings.with(|s| {
+        s.image.width = 64;
+        s.image.height = 48;
+        s.recursion.depth = depth;
+        s.pixel.samples = 2;
+    });
     let world = World::new(scene, settings.accel);
     let trace = trace_pixel(&world, &settings, at, true);
     (world, settings, trace)
@@ -207,11 +206,10 @@ fn a_million_rays_step_without_lag() {
 #[test]
 fn a_log_is_bounded_and_says_so() {
     let scene = scene::load("whitted").expect("built in");
-    let settings = Settings {
-        width: 64,
-        height: 48,
-        ..scene.settings
-    };
+    let settings = scene.settings.with(|s| {
+        s.image.width = 64;
+        s.image.height = 48;
+    });
     let world = World::new(scene, settings.accel);
     for limit in [0, 1, 2, 7, 40] {
         let mut recorder = Recorder::<true>::with_limit(limit);

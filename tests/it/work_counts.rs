@@ -29,11 +29,10 @@ fn no_more_work_than_before() {
         let [name, kind] = [words[0], words[1]];
         let [rays, nodes, tests] = [2, 3, 4].map(|i| words[i].parse::<u64>().expect("a number"));
         let scene = scene::load(name).expect("a built-in scene");
-        let settings = Settings {
-            width: 80,
-            height: 60,
-            ..scene.settings
-        };
+        let settings = scene.settings.with(|s| {
+            s.image.width = 80;
+            s.image.height = 60;
+        });
         let accel = AccelKind::ALL.into_iter().find(|k| k.name() == kind);
         let world = World::new(scene, accel.expect("the name of an accelerator"));
         let found = counts(&world, &settings);

@@ -1,8 +1,9 @@
 //! The eye in impossible places, and pictures that may not depend on who computes them.
 
 use raytree::accel::AccelKind;
+use raytree::math::Sampler;
 use raytree::probe::Silent;
-use raytree::scene::{Sampling, Settings, load};
+use raytree::scene::{Settings, load};
 use raytree::trace::trace_pixel;
 use raytree::tracer::{Flow, render};
 use raytree::world::World;
@@ -19,11 +20,10 @@ fn picture(camera: &str) -> Result<Vec<[f64; 3]>, String> {
     std::fs::write(&path, text).expect("it can be written");
     let scene = load(path.to_str().expect("a plain path")).map_err(|error| error.to_string())?;
     let world = World::new(scene, AccelKind::default());
-    let settings = Settings {
-        width: 8,
-        height: 8,
-        ..Settings::default()
-    };
+    let settings = Settings::default().with(|s| {
+        s.image.width = 8;
+        s.image.height = 8;
+    });
     let pixel = |i: u32| trace_pixel(&world, &settings, (i % 8, i / 8), false).pixel;
     Ok((0..64).map(|i| pixel(i).color.channels()).collect())
 }
@@ -69,14 +69,13 @@ fn case_85_any_number_of_threads_makes_the_same_picture() {
         load("soft-shadow").expect("a built-in scene"),
         AccelKind::Wide,
     );
-    let settings = Settings {
-        width: 70,
-        height: 40,
-        samples: 2,
-        sampling: Sampling::Jittered,
-        light_samples: 4,
-        ..world.scene.settings
-    };
+    let settings = world.scene.settings.with(|s| {
+        s.image.width = 70;
+        s.image.height = 40;
+        s.pixel.samples = 2;
+        s.pixel.sampler = Sampler::Stratified;
+        s.light.samples = 4;
+    });
     let film = |threads| render::<Silent>(&world, &settings, threads, &|_, _| Flow::Continue).0;
     let one = film(1);
     for threads in [2, 3, 7, 64] {

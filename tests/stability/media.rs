@@ -28,13 +28,12 @@ fn world(solids: &[Solid], make: Make, eye: [f64; 3], kind: AccelKind) -> World 
 }
 
 fn settings(size: u32) -> Settings {
-    Settings {
-        width: size,
-        height: size,
-        depth: 9,
-        min_weight: 3e-3,
-        ..Settings::default()
-    }
+    Settings::default().with(|s| {
+        s.image.width = size;
+        s.image.height = size;
+        s.recursion.depth = 9;
+        s.recursion.min_weight = 3e-3;
+    })
 }
 
 /// What a check of all rays of a picture met.

@@ -77,13 +77,12 @@ fn world(objects: &str, materials: &str, camera: &str, background: f64) -> World
 const GLASS: &str = r#""glass": {"transmission": [1, 1, 1], "ior": 1.5}"#;
 
 fn one_pixel(depth: u32, min_weight: f64) -> Settings {
-    Settings {
-        width: 1,
-        height: 1,
-        depth,
-        min_weight,
-        ..Settings::default()
-    }
+    Settings::default().with(|s| {
+        s.image.width = 1;
+        s.image.height = 1;
+        s.recursion.depth = depth;
+        s.recursion.min_weight = min_weight;
+    })
 }
 
 /// The rays of kind T, from the eye on: the straight way through.
@@ -112,11 +111,10 @@ fn case_63_a_boundary_between_equal_indices_is_not_seen() {
         [format!("{ball}, {block}"), ball.to_owned()].map(|o| world(&o, materials, camera, 0.3));
     ambient(&mut with);
     ambient(&mut without);
-    let settings = Settings {
-        width: 24,
-        height: 24,
-        ..Settings::default()
-    };
+    let settings = Settings::default().with(|s| {
+        s.image.width = 24;
+        s.image.height = 24;
+    });
     let film = |w| render::<Silent>(w, &settings, 2, &|_, _| Flow::Continue).0;
     let (with, without) = (film(&with), film(&without));
     for (i, (a, b)) in with.pixels.iter().zip(&without.pixels).enumerate() {
@@ -222,13 +220,12 @@ fn case_70_clear_glass_in_a_white_sky_is_not_seen() {
         let camera = r#"{"eye": [2.2, 1.3, 2.9], "look_at": [0, 0, 0], "vertical_fov": 50}"#;
         let world = world(shape, GLASS, camera, 1.0);
         let size = count(64, 16) as u32;
-        let settings = Settings {
-            width: size,
-            height: size,
-            depth: 1000,
-            min_weight: 1e-3,
-            ..Settings::default()
-        };
+        let settings = Settings::default().with(|s| {
+            s.image.width = size;
+            s.image.height = size;
+            s.recursion.depth = 1000;
+            s.recursion.min_weight = 1e-3;
+        });
         let mut bent = 0;
         for (x, y) in (0..size).flat_map(|y| (0..size).map(move |x| (x, y))) {
             let trace = trace_pixel(&world, &settings, (x, y), false);

@@ -106,13 +106,12 @@ fn case_50_a_picture_of_plates_a_billionth_apart() {
                 ..Arithmetic::default()
             };
             let world = World::new(scene(&text).computed_with(arithmetic), kind);
-            let settings = Settings {
-                width: 16,
-                height: 16,
-                accel: kind,
-                arithmetic,
-                ..Settings::default()
-            };
+            let settings = Settings::default().with(|s| {
+                s.image.width = 16;
+                s.image.height = 16;
+                s.accel = kind;
+                s.arithmetic = arithmetic;
+            });
             let (film, _) = render::<Silent>(&world, &settings, 1, &|_, _| Flow::Continue);
             film.pixels
         };
@@ -142,11 +141,10 @@ fn world(eye: [f64; 3], look_at: [f64; 3], light: [f64; 3], objects: &str) -> Wo
 }
 
 fn pixels(world: &World, size: u32) -> Vec<Rgb> {
-    let settings = Settings {
-        width: size,
-        height: size,
-        ..Settings::default()
-    };
+    let settings = Settings::default().with(|s| {
+        s.image.width = size;
+        s.image.height = size;
+    });
     let pixel = |i: u32| trace_pixel(world, &settings, (i % size, i / size), false);
     (0..size * size).map(|i| pixel(i).pixel.color).collect()
 }
@@ -211,11 +209,10 @@ fn case_60_the_terminator_loses_no_more_than_normals_are_bent() {
     );
     let world = World::new(scene(&text), AccelKind::default());
     let to_light = DVec3::new(1.0, 0.2, -0.1).normalize();
-    let settings = Settings {
-        width: size,
-        height: size,
-        ..Settings::default()
-    };
+    let settings = Settings::default().with(|s| {
+        s.image.width = size;
+        s.image.height = size;
+    });
     let (mut lit, mut lost, mut most) = (0, 0, 0.0f64);
     for (x, y) in (0..size).flat_map(|y| (0..size).map(move |x| (x, y))) {
         let ray = world

@@ -23,7 +23,7 @@ pub fn tell(
     } = *counts;
     if json {
         let stats = serde_json::json!({
-            "image": { "width": settings.width, "height": settings.height },
+            "image": { "width": settings.image.width, "height": settings.image.height },
             "accel": settings.accel.name(),
             "rays": { "I": incident, "L": light, "R": reflected, "T": transmitted, "passed": passed },
             "nodes": nodes, "tests": tests, "hits": hits, "seconds": seconds,

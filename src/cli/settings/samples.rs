@@ -5,8 +5,8 @@ use clap::builder::TypedValueParser;
 
 use super::named;
 use crate::cli::Failure;
-use crate::math::Filter;
-use crate::scene::{Adaptive, Pilot, Sampling, Settings, limits};
+use crate::math::{Filter, Sampler};
+use crate::scene::{Adaptive, Pilot, PixelSampling, Sampling, limits};
 
 /// The first samples of a pixel that may have more, unless the scene or the user wants others.
 const FIRST: u32 = 4;
@@ -48,7 +48,7 @@ pub struct SampleArgs {
 
 impl SampleArgs {
     /// What the scene asks for with what the command line changes.
-    pub fn over(&self, asked: &Settings) -> Settings {
+    pub fn over(&self, asked: &PixelSampling) -> PixelSampling {
         let adaptive = self.adaptive.map(|threshold| Adaptive {
             threshold,
             most: self.max_samples.unwrap_or(MOST),
@@ -61,14 +61,17 @@ impl SampleArgs {
         } else {
             asked.filter_radius
         };
-        Settings {
+        PixelSampling {
             samples: self.samples.unwrap_or(asked.samples.max(least)),
             sets: self.sets.unwrap_or(asked.sets),
             // A grid that is full has no place for more.
-            sampling: self.sampling.unwrap_or(match asked.sampling {
-                Sampling::Regular if adaptive.is_some() => Sampling::Sobol,
-                sampling => sampling,
-            }),
+            sampler: self.sampling.map_or(
+                match asked.sampler {
+                    Sampler::Grid if adaptive.is_some() => Sampler::Sobol,
+                    sampler => sampler,
+                },
+                Sampling::sampler,
+            ),
             filter,
             filter_radius: self.filter_radius.unwrap_or(radius),
             adaptive,
@@ -78,21 +81,21 @@ impl SampleArgs {
 }
 
 /// An error if some of what was asked for does not go together.
-pub fn check(settings: &Settings) -> Result<(), Failure> {
-    let Settings { samples, sets, .. } = *settings;
+pub fn check(pixel: &PixelSampling) -> Result<(), Failure> {
+    let PixelSampling { samples, sets, .. } = *pixel;
     if sets > samples {
         return Err(Failure::Usage(format!(
             "--sets {sets}: {samples} samples cannot be parted into so many (see --samples)"
         )));
     }
-    let regular = settings.sampling == Sampling::Regular;
+    let regular = pixel.sampler == Sampler::Grid;
     if sets > 1 && regular {
         return Err(Failure::Usage(format!(
             "--sets {sets}: regular samples would lie at the same places in each set; choose --sampling random, \
 jittered or sobol"
         )));
     }
-    let Some(adaptive) = settings.adaptive else {
+    let Some(adaptive) = pixel.adaptive else {
         return Ok(());
     };
     if regular {
@@ -101,12 +104,12 @@ jittered or sobol"
                 .to_owned(),
         ));
     }
-    let (first, most) = (settings.samples, adaptive.most);
+    let (first, most) = (pixel.samples, adaptive.most);
     let least = match adaptive.pilot {
         Pilot::Kept | Pilot::Around => first,
         Pilot::Apart => first.saturating_mul(2),
     };
-    if settings.asks_around() && first < 2 {
+    if pixel.asks_around() && first < 2 {
         return Err(Failure::Usage(format!(
             "--samples {first}: with --pilot around the first samples decide by how much they differ; take at least 2"
         )));

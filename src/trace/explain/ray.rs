@@ -13,9 +13,9 @@ pub fn sample(view: View, index: u32, [x, y]: [f64; 2], weight: f64) -> Explanat
     let (width, height) = view.settings.size();
     let (w, h) = (f64::from(width), f64::from(height));
     let tan = camera.half_height;
-    let pilot = if index < view.settings.pilot() {
+    let pilot = if index < view.settings.pixel.pilot() {
         " It only decides how many other samples there are, and does not count."
-    } else if view.settings.asks_around() {
+    } else if view.settings.pixel.asks_around() {
         " How many samples there are was decided by the first ones of the pixels around."
     } else {
         ""

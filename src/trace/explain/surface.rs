@@ -156,7 +156,7 @@ pub fn bundle(view: View, node: u32, light: u32) -> Explanation {
     .row("", "Kd/pi integral of Le V cos cos' / r^2 over the light's area")
     .row(
         "samples",
-        format!("{n}, chosen by the sampler `{}`", view.settings.sampler.name()),
+        format!("{n}, chosen by the sampler `{}`", view.settings.light.sampler.name()),
     )
     .row("lit", format!("{} of {n}", bundle.lit))
     .row("chosen", in_proportion_to(view, node, light))
@@ -324,13 +324,13 @@ pub fn absent(view: View, node: u32, kind: RayKind, light: u32, reason: Absence)
             format!(
                 "{} < {}, the threshold",
                 num(weight),
-                num(settings.min_weight)
+                num(settings.recursion.min_weight)
             ),
         ),
         Absence::DepthLimit => (
             "The depth limit ends the recursion here: what it would bring back is missing in the pixel.",
             "depth",
-            format!("{depth} of {}", settings.depth),
+            format!("{depth} of {}", settings.recursion.depth),
         ),
         Absence::EffectOff => (
             "This effect was switched off: the picture is not that of the whole scene.",

@@ -40,7 +40,7 @@ fn the_rays_to_an_area_light_are_one_row_that_opens() {
 #[test]
 fn a_thousand_rays_to_a_light_are_as_quick_as_sixteen() {
     let mut app = of_scene("soft-shadow", 120, 36, |_| ());
-    app.settings.light_samples = 1024;
+    app.settings.light.samples = 1024;
     app.point(Mouse::Press, Position::new(60, 24));
     app.point(Mouse::Press, Position::new(60, 24));
     settle(&mut app);

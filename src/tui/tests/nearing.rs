@@ -57,7 +57,7 @@ fn it_follows_the_cursor_and_closes() {
     assert!(text(&app).contains(&format!("pixel ({x}, {y}), more samples")));
     assert_ne!(nearing(&app).points[0], before);
     // With one sample and one shadow ray to the middle nothing is left to chance.
-    app.settings.samples = 1;
+    app.settings.pixel.samples = 1;
     keys(&mut app, "ej q");
     assert!(app.nearing.is_none());
     assert!(!app.is_busy());
@@ -77,7 +77,7 @@ fn without_chance_there_is_nothing_to_show() {
         "{}",
         text(&app)
     );
-    app.settings.samples = 4;
+    app.settings.pixel.samples = 4;
     keys(&mut app, "c");
     assert!(!nearing(&app).points.is_empty());
 }
@@ -85,8 +85,8 @@ fn without_chance_there_is_nothing_to_show() {
 #[test]
 fn keys_do_not_wait_and_old_work_is_given_up() {
     let mut app = soft_shadow();
-    app.settings.light_samples = 1024;
-    app.settings.max_rays = u64::MAX;
+    app.settings.light.samples = 1024;
+    app.settings.recursion.max_rays = u64::MAX;
     let start = Instant::now();
     let mut longest = Duration::ZERO;
     press(
@@ -123,17 +123,15 @@ fn the_work_is_bounded() {
         let add = |pixel: crate::tracer::Pixel| rays.set(rays.get() + pixel.rays);
         run(&app.world, settings, app.picture.cursor, stopped, &add)
     };
-    let many = Settings {
-        light_samples: 65_536,
-        max_rays: u64::MAX,
-        ..app.settings
-    };
+    let many = app.settings.with(|s| {
+        s.light.samples = 65_536;
+        s.recursion.max_rays = u64::MAX;
+    });
     assert_eq!(all(&many, &|| false), "more would take long");
     assert!(rays.get() < 1 << 21, "{}", rays.get());
-    let few = Settings {
-        max_rays: u64::from(many.width) * u64::from(many.height) * 1000,
-        ..app.settings
-    };
+    let few = app.settings.with(|s| {
+        s.recursion.max_rays = u64::from(many.image.width) * u64::from(many.image.height) * 1000
+    });
     assert_eq!(
         all(&few, &|| false),
         "the pixel's share of --max-rays ends here"

@@ -112,7 +112,7 @@ fn things_that_students_write() {
         (r#""materials": {"a": 'b'}"#, "materials.a", "'...'"),
         (
             r#""settings": {"depth": -1}"#,
-            "settings.depth",
+            "settings.recursion.depth",
             "whole number from 0",
         ),
         (

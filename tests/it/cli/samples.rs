@@ -5,8 +5,9 @@ use std::process::Command;
 use raytree::accel::AccelKind;
 use raytree::lab::until::{End, until};
 use raytree::math::Rgb;
+use raytree::math::Sampler;
 use raytree::probe::Silent;
-use raytree::scene::{self, Sampling, Settings};
+use raytree::scene;
 use raytree::trace::trace_pixel;
 use raytree::tracer::{Flow, render};
 use raytree::world::World;
@@ -164,12 +165,11 @@ fn a_sample_that_is_no_number_counts_as_black_and_is_told_of() {
     let mut scene = scene::load("soft-shadow").expect("built in");
     scene.materials[0].ambient = Rgb::grey(f64::NAN);
     scene.ambient = Rgb::WHITE;
-    let settings = Settings {
-        width: 6,
-        height: 5,
-        samples: 2,
-        ..scene.settings
-    };
+    let settings = scene.settings.with(|s| {
+        s.image.width = 6;
+        s.image.height = 5;
+        s.pixel.samples = 2;
+    });
     let world = World::new(scene, AccelKind::Wide);
     let (film, _) = render::<Silent>(&world, &settings, 2, &|_, _| Flow::Continue);
     assert!(film.pixels.iter().all(|color| color.is_finite()));
@@ -177,8 +177,8 @@ fn a_sample_that_is_no_number_counts_as_black_and_is_told_of() {
     let trace = trace_pixel(&world, &settings, (x, y), false);
     assert_eq!(trace.pixel.first_spoiled, Some(sample));
     let mut count = 0;
-    for y in 0..settings.height {
-        for x in 0..settings.width {
+    for y in 0..settings.image.height {
+        for x in 0..settings.image.width {
             let pixel = trace_pixel(&world, &settings, (x, y), false).pixel;
             assert_eq!(pixel.color, film.at(x, y));
             count += u64::from(pixel.spoiled);
@@ -192,24 +192,22 @@ fn a_sample_that_is_no_number_counts_as_black_and_is_told_of() {
 fn the_error_that_was_asked_for_is_the_error_that_is_there() {
     let scene = scene::load("soft-shadow").expect("built in");
     let world = World::new(scene, AccelKind::Wide);
-    let base = Settings {
-        width: 20,
-        height: 15,
-        samples: 16,
-        light_samples: 1,
-        ..world.scene.settings
-    };
+    let base = world.scene.settings.with(|s| {
+        s.image.width = 20;
+        s.image.height = 15;
+        s.pixel.samples = 16;
+        s.light.samples = 1;
+    });
     let go_on = |_, _| Flow::Continue;
-    let truth = Settings {
-        samples: 4096,
-        sampling: Sampling::Sobol,
-        seed: 77,
-        ..base
-    };
+    let truth = base.with(|s| {
+        s.pixel.samples = 4096;
+        s.pixel.sampler = Sampler::Sobol;
+        s.seed = 77;
+    });
     let truth = render::<Silent>(&world, &truth, 0, &go_on).0;
-    for sampling in [Sampling::Random, Sampling::Jittered, Sampling::Sobol] {
+    for sampling in [Sampler::Random, Sampler::Stratified, Sampler::Sobol] {
         let wanted = 0.01;
-        let settings = Settings { sampling, ..base };
+        let settings = base.with(|s| s.pixel.sampler = sampling);
         let found = until(&world, &settings, wanted, 0, &go_on);
         assert_eq!(found.end, End::Reached);
         let estimate = found.tries.last().expect("a try").error;

@@ -1,8 +1,67 @@
-//! The samples of a pixel: where they lie, and how many there are.
+//! Sampling of pixels: where the samples lie, and how many there are.
 
 use serde::{Deserialize, Serialize};
 
-use crate::math::Sampler;
+use crate::math::{Filter, Sampler};
+
+/// Samples of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelSampling {
+    /// Samples a pixel; the first of them if there are to be more where they are needed.
+    pub samples: u32,
+    /// Sets that the samples are parted into, each spread evenly by itself.
+    pub sets: u32,
+    /// Point set of the samples on the film.
+    pub sampler: Sampler,
+    /// Reconstruction filter: how much samples count by their distance from the pixel's middle.
+    pub filter: Filter,
+    /// Radius of the filter along x and y, in pixels.
+    pub filter_radius: f64,
+    /// Adaptive sampling, if any.
+    pub adaptive: Option<Adaptive>,
+    /// Whether each pixel's standard error is estimated; it never changes the picture.
+    pub errors: bool,
+}
+
+impl Default for PixelSampling {
+    fn default() -> Self {
+        Self {
+            samples: 1,
+            sets: 1,
+            sampler: Sampler::Grid,
+            filter: Filter::default(),
+            filter_radius: Filter::default().usual_radius(),
+            adaptive: None,
+            errors: false,
+        }
+    }
+}
+
+impl PixelSampling {
+    /// Samples of a set.
+    pub fn set_size(&self) -> u32 {
+        self.samples.div_ceil(self.sets.max(1))
+    }
+
+    /// Samples that do not count: they decide how many others there are.
+    pub fn pilot(&self) -> u32 {
+        match self.adaptive {
+            Some(adaptive) if adaptive.pilot == Pilot::Apart => self.samples,
+            _ => 0,
+        }
+    }
+
+    /// Whether the pixels around a pixel decide how many samples it has.
+    pub fn asks_around(&self) -> bool {
+        self.adaptive.is_some_and(|a| a.pilot == Pilot::Around)
+    }
+
+    /// Samples that a pixel has at most. After a pilot at least one counts.
+    pub fn most_samples(&self) -> u32 {
+        let adapted = self.adaptive.map(|a| a.most.max(self.pilot() + 1));
+        adapted.unwrap_or(self.samples)
+    }
+}
 
 /// Where the samples of a pixel lie.
 #[derive(
@@ -35,6 +94,16 @@ impl Sampling {
         }
     }
 
+    /// The word for a sampler.
+    pub fn of(sampler: Sampler) -> Self {
+        match sampler {
+            Sampler::Grid => Self::Regular,
+            Sampler::Random => Self::Random,
+            Sampler::Stratified => Self::Jittered,
+            Sampler::Sobol => Self::Sobol,
+        }
+    }
+
     /// Whose points they are.
     pub fn sampler(self) -> Sampler {
         match self {
@@ -46,7 +115,7 @@ impl Sampling {
     }
 }
 
-/// More samples where they are needed.
+/// Adaptive sampling: more samples where they are needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive {
     /// A pixel has enough samples when its estimated standard error is not above this, in luminance; with
