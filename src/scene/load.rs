@@ -1,28 +1,25 @@
-//! The ways to a scene: by the name of a built-in or computed one, from a scene file, from an OBJ file.
+//! Loading of a scene: by the name of a built-in or computed one, from a scene file, from an OBJ file.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::error::{Problem, SceneError};
-use super::file::{
-    CameraFile, DirectionalFile, Format, LightFile, ObjFile, ObjectFile, SceneFile, SettingsFile,
-    parse,
-};
-use super::files::{Files, regular};
-use super::nearest::nearest;
-use super::resolve::resolve;
-use super::{Camera, Scene, builtin, generated};
-use crate::geometry::Aabb;
-use crate::math::{DVec3, Rgb};
+use super::Scene;
+use super::gallery::model_scene::model_scene;
+use super::gallery::{builtin, procedural};
+use super::read::did_you_mean::did_you_mean;
+use super::read::error::{Problem, SceneError};
+use super::read::file::parse;
+use super::read::files::{Files, regular};
+use super::read::resolve::resolve;
 
-/// The scene that `spec` stands for: the name of a built-in scene or of one that is computed, or the path of a `.json` or `.obj` file.
+/// The scene that `spec` stands for: the name of a built-in or computed scene, or the path of a `.json` or `.obj` file.
 pub fn load(spec: &str) -> Result<Scene, SceneError> {
     if let Some(text) = builtin::scene(spec) {
-        let mut files = Files::embedded();
+        let mut files = Files::embedded(builtin::file);
         files.take(text.as_bytes());
         return resolve(parse(text, spec)?, spec, files);
     }
-    if let Some(scene) = generated::load(spec) {
+    if let Some(scene) = procedural::load(spec) {
         return scene;
     }
     let path = Path::new(spec);
@@ -39,6 +36,15 @@ pub fn load_held(name: &str, held: BTreeMap<String, Vec<u8>>) -> Result<Scene, S
     read(name, Files::held(held))
 }
 
+/// The built-in scenes: name, and what each shows.
+pub fn list() -> Vec<(&'static str, String)> {
+    let note = |name: &str| {
+        let file = builtin::scene(name).and_then(|text| parse(text, name).ok());
+        file.and_then(|f| f.note).unwrap_or_default()
+    };
+    builtin::names().map(|name| (name, note(name))).collect()
+}
+
 /// The scene in a scene file or around a model, by how its name ends.
 fn read(spec: &str, mut files: Files) -> Result<Scene, SceneError> {
     let path = Path::new(spec);
@@ -50,7 +56,7 @@ fn read(spec: &str, mut files: Files) -> Result<Scene, SceneError> {
         return resolve(file, spec, files);
     }
     if ends_in(path, "obj") {
-        return model(path, spec, stem, files);
+        return model_scene(spec, stem, files);
     }
     Err(unknown(spec).in_file(spec))
 }
@@ -60,17 +66,8 @@ fn ends_in(path: &Path, ending: &str) -> bool {
     found.is_some_and(|e| e.eq_ignore_ascii_case(ending))
 }
 
-/// The built-in scenes: name, and what each shows.
-pub fn list() -> Vec<(&'static str, String)> {
-    let note = |name: &str| {
-        let file = builtin::scene(name).and_then(|text| parse(text, name).ok());
-        file.and_then(|f| f.note).unwrap_or_default()
-    };
-    builtin::names().map(|name| (name, note(name))).collect()
-}
-
 fn unknown(spec: &str) -> Problem {
-    let names: Vec<&str> = builtin::names().chain(generated::names()).collect();
+    let names: Vec<&str> = builtin::names().chain(procedural::names()).collect();
     let listed = names.join(", ");
     if Path::new(spec).exists() {
         return Problem::new(
@@ -79,72 +76,9 @@ fn unknown(spec: &str) -> Problem {
         );
     }
     let guess =
-        nearest(spec, names).map_or(String::new(), |near| format!("did you mean `{near}`? "));
+        did_you_mean(spec, names).map_or(String::new(), |near| format!("did you mean `{near}`? "));
     Problem::new(
         "there is no built-in scene of this name",
         format!("{guess}Built in: {listed}; or give a file that ends in .json or .obj"),
     )
-}
-
-/// A scene around a bare model: the camera sees all of it, a light shines over the viewer's left shoulder.
-fn model(path: &Path, spec: &str, stem: &str, files: Files) -> Result<Scene, SceneError> {
-    let name = path.file_name().and_then(|n| n.to_str());
-    let file = SceneFile {
-        format: Format::V1,
-        name: Some(stem.to_string()),
-        note: None,
-        camera: CameraFile::new([0.0, 0.0, 1.0], [0.0; 3]),
-        background: Rgb::new(0.35, 0.45, 0.6),
-        ambient: Rgb::grey(0.25),
-        materials: BTreeMap::new(),
-        lights: vec![LightFile::Directional(DirectionalFile {
-            name: "key".to_string(),
-            note: None,
-            direction: [1.0, -1.5, -1.0],
-            intensity: Rgb::grey(0.9),
-        })],
-        objects: vec![ObjectFile::Obj(ObjFile {
-            name: stem.to_string(),
-            note: None,
-            material: None,
-            transform: Vec::new(),
-            file: name.unwrap_or(spec).to_string(),
-        })],
-        settings: SettingsFile::default(),
-    };
-    // The user has no scene file whose fields could be named.
-    let mut scene = resolve(file, spec, files).map_err(|error| SceneError {
-        field: String::new(),
-        ..error
-    })?;
-    let bounds = scene
-        .shapes
-        .iter()
-        .filter_map(crate::geometry::Shape::bounds)
-        .fold(Aabb::EMPTY, Aabb::union);
-    let framed = framing(bounds).ok_or_else(|| {
-        Problem::new(
-            "all of its triangles are without area",
-            "check the model in the program that made it",
-        )
-        .in_file(spec)
-    })?;
-    scene.camera = framed;
-    Ok(scene)
-}
-
-/// A camera that has all of the box in its picture, seen from the front, a little from the right and from above.
-/// `None` for an empty box.
-fn framing(bounds: Aabb) -> Option<Camera> {
-    const FOV: f64 = 40.0;
-    if bounds.is_empty() {
-        return None;
-    }
-    let center = bounds.center();
-    // The ball around the box touches the cone of view at distance radius / sin(fov / 2).
-    let radius = bounds.size().length() / 2.0;
-    let distance = radius / libm::sin(FOV.to_radians() / 2.0);
-    let towards = DVec3::new(0.4, 0.35, 1.0).normalize();
-    let eye = center + distance * towards;
-    Camera::new(eye, center, DVec3::Y, FOV.to_radians())
 }

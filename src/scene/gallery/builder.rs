@@ -1,0 +1,119 @@
+//! A scene that a program draws, shape by shape, instead of reading it from a file.
+
+use crate::geometry::{Shape, Triangle};
+use crate::math::{DVec3, Rgb};
+use crate::scene::read::files::Files;
+use crate::scene::{Camera, Object, Scene, Settings, VertexData};
+use crate::shading::{Light, Material, Source};
+
+/// A scene in the making: an object is begun, then its shapes are put in.
+pub struct SceneBuilder {
+    scene: Scene,
+}
+
+impl SceneBuilder {
+    /// An empty scene.
+    pub fn new(name: &str, camera: Camera, settings: Settings) -> Self {
+        let scene = Scene {
+            name: name.to_string(),
+            hash: String::new(),
+            camera,
+            background: Rgb::BLACK,
+            ambient: Rgb::BLACK,
+            materials: Vec::new(),
+            lights: Vec::new(),
+            objects: Vec::new(),
+            shapes: Vec::new(),
+            owners: Vec::new(),
+            settings,
+            warnings: Vec::new(),
+        };
+        Self { scene }
+    }
+
+    /// What is seen where nothing is, and the light that is everywhere.
+    pub fn sky(&mut self, background: Rgb, ambient: Rgb) {
+        (self.scene.background, self.scene.ambient) = (background, ambient);
+    }
+
+    /// A point light that does not grow weaker with distance.
+    pub fn light(&mut self, position: DVec3, intensity: Rgb) {
+        self.scene.lights.push(Light {
+            name: format!("light {}", self.scene.lights.len() + 1),
+            source: Source::Point {
+                position,
+                intensity,
+                attenuation: [1.0, 0.0, 0.0],
+            },
+        });
+    }
+
+    /// A material; its number is what [`SceneBuilder::begin`] asks for.
+    pub fn material(&mut self, material: Material) -> u32 {
+        self.scene.materials.push(material);
+        self.scene.materials.len() as u32 - 1
+    }
+
+    /// Begins an object: the shapes that follow are its parts.
+    pub fn begin(&mut self, name: impl Into<String>, material: u32) {
+        self.scene.objects.push(Object {
+            name: name.into(),
+            material,
+            first_primitive: self.scene.shapes.len() as u32,
+            vertices: None,
+        });
+    }
+
+    /// Puts a shape into the object that was begun last.
+    pub fn put(&mut self, shape: Shape) {
+        if let Some(last) = self.scene.objects.len().checked_sub(1) {
+            self.scene.shapes.push(shape);
+            self.scene.owners.push(last as u32);
+        }
+    }
+
+    /// Puts in a flat triangle, its corners counter-clockwise seen from outside.
+    pub fn triangle(&mut self, corners: [DVec3; 3]) {
+        self.put(Shape::Triangle(Triangle { corners }));
+    }
+
+    /// Puts in the two triangles of a convex, plane quadrangle.
+    pub fn quad(&mut self, [a, b, c, d]: [DVec3; 4]) {
+        self.triangle([a, b, c]);
+        self.triangle([a, c, d]);
+    }
+
+    /// Keeps a unit normal for the corners of the object's triangles; gives its number.
+    pub fn normal(&mut self, normal: DVec3) -> u32 {
+        let Some(object) = self.scene.objects.last_mut() else {
+            return 0;
+        };
+        let vertices = object.vertices.get_or_insert_with(VertexData::default);
+        vertices.normals.push(normal);
+        vertices.normals.len() as u32 - 1
+    }
+
+    /// Puts in a triangle with these normals at its corners. All triangles of one object are smooth, or none.
+    pub fn smooth(&mut self, corners: [DVec3; 3], normals: [u32; 3]) {
+        self.triangle(corners);
+        let vertices = self.scene.objects.last_mut().map(|o| &mut o.vertices);
+        if let Some(Some(vertices)) = vertices {
+            vertices.normal_indices.push(normals);
+        }
+    }
+
+    /// The scene. Its hash is made of all that was put in.
+    pub fn finish(mut self) -> Scene {
+        let mut files = Files::embedded(|_| None);
+        let scene = &self.scene;
+        let rest = (&scene.name, &scene.camera, &scene.materials, &scene.lights);
+        files.take(format!("{rest:?}").as_bytes());
+        for bounds in scene.shapes.iter().filter_map(Shape::bounds) {
+            for number in [bounds.min, bounds.max].map(|p| p.to_array()).concat() {
+                files.take(&number.to_le_bytes());
+            }
+        }
+        self.scene.hash = files.hash();
+        self.scene
+    }
+}

@@ -1,0 +1,54 @@
+//! The scenes inside the program: they are there wherever it runs.
+
+/// Name and text of each scene, in the order of a tour.
+const SCENES: [(&str, &str); 11] = [
+    ("whitted", include_str!("../../../scenes/whitted.json")),
+    ("triangle", include_str!("../../../scenes/triangle.json")),
+    ("mirrors", include_str!("../../../scenes/mirrors.json")),
+    (
+        "glass-block",
+        include_str!("../../../scenes/glass-block.json"),
+    ),
+    (
+        "nested-glass",
+        include_str!("../../../scenes/nested-glass.json"),
+    ),
+    ("shadows", include_str!("../../../scenes/shadows.json")),
+    ("room", include_str!("../../../scenes/room.json")),
+    ("teapot", include_str!("../../../scenes/teapot.json")),
+    ("bunny", include_str!("../../../scenes/bunny.json")),
+    (
+        "soft-shadow",
+        include_str!("../../../scenes/soft-shadow.json"),
+    ),
+    ("lamps", include_str!("../../../scenes/lamps.json")),
+];
+
+/// The models that they name.
+const FILES: [(&str, &str); 2] = [
+    ("teapot.obj", include_str!("../../../scenes/teapot.obj")),
+    ("bunny.obj", include_str!("../../../scenes/bunny.obj")),
+];
+
+/// The scene that is shown when none is asked for.
+pub const DEFAULT: &str = "whitted";
+
+/// The names of the built-in scenes, in the order of a tour.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    SCENES.iter().map(|(name, _)| *name)
+}
+
+/// The text of a built-in scene, in the format of scene files.
+pub fn scene(name: &str) -> Option<&'static str> {
+    find(&SCENES, name)
+}
+
+/// The text of a file that a built-in scene names.
+pub fn file(name: &str) -> Option<&'static str> {
+    find(&FILES, name)
+}
+
+fn find(list: &[(&str, &'static str)], name: &str) -> Option<&'static str> {
+    let (_, text) = list.iter().find(|(known, _)| *known == name)?;
+    Some(text)
+}

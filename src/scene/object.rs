@@ -1,0 +1,46 @@
+//! Objects of a scene, and what the corners of their triangles carry.
+
+use crate::math::{DVec2, DVec3};
+
+/// A named part of the scene: one material, one or many primitives.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// Its name, unique in the scene; groups are named before it: `group/part`.
+    pub name: String,
+    /// Index of its material.
+    pub material: u32,
+    /// The id of its first primitive.
+    pub first_primitive: u32,
+    /// What the corners of its triangles carry, if it is a mesh that gave any.
+    pub vertices: Option<VertexData>,
+}
+
+/// Normals and texture coordinates at the corners of a mesh's triangles.
+#[derive(Clone, Debug, Default)]
+pub struct VertexData {
+    /// Per triangle of the object: the three indices into `normals`. Empty for a flat mesh.
+    pub normal_indices: Vec<[u32; 3]>,
+    /// Unit normals in world space.
+    pub normals: Vec<DVec3>,
+    /// Per triangle of the object: the three indices into `uvs`. Empty if it has none.
+    pub uv_indices: Vec<[u32; 3]>,
+    /// Texture coordinates.
+    pub uvs: Vec<DVec2>,
+}
+
+impl VertexData {
+    /// The corners' normals, blended by the areas opposite to them (Phong 1975): unit, or `None` if the mesh is flat
+    /// or they cancel out.
+    pub fn normal(&self, triangle: usize, [u, v, w]: [f64; 3]) -> Option<DVec3> {
+        let [a, b, c] = *self.normal_indices.get(triangle)?;
+        let n = |i: u32| self.normals[i as usize];
+        (u * n(a) + v * n(b) + w * n(c)).try_normalize()
+    }
+
+    /// The corners' texture coordinates, blended likewise.
+    pub fn uv(&self, triangle: usize, [u, v, w]: [f64; 3]) -> Option<DVec2> {
+        let [a, b, c] = *self.uv_indices.get(triangle)?;
+        let p = |i: u32| self.uvs[i as usize];
+        Some(u * p(a) + v * p(b) + w * p(c))
+    }
+}

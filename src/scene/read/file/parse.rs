@@ -1,0 +1,87 @@
+//! From text to a scene file, and from the parser's words to those of someone who learns.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+
+use super::SceneFile;
+use super::explain::{problem, word_at};
+use crate::scene::read::error::{Problem, SceneError};
+
+/// Reads a scene file. `file` is its name in error messages.
+pub fn parse(text: &str, file: &str) -> Result<SceneFile, SceneError> {
+    if text.trim().is_empty() {
+        return Err(Problem::new(
+            "the file is empty",
+            "start with {\"format\": \"raytree-scene/1\", \"camera\": {\"eye\": [0, 1, 5], \"look_at\": [0, 1, 0]}}",
+        )
+        .in_file(file));
+    }
+    if !text.trim_start().starts_with('{') {
+        return Err(Problem::new(
+            "this is not a scene: a scene is one object {...}",
+            "check that it is the right file; a scene begins with {\"format\": \"raytree-scene/1\", ...",
+        )
+        .in_file(file));
+    }
+    let mut deserializer = serde_json::Deserializer::from_str(text);
+    let scene = serde_path_to_error::deserialize(&mut deserializer).map_err(|e| {
+        // A part that the parser could not name says nothing.
+        let path = e.path().to_string().replace(".?", "");
+        let field = if path == "." || path == "?" {
+            String::new()
+        } else {
+            path
+        };
+        explained(e.inner(), text, file, field)
+    })?;
+    deserializer
+        .end()
+        .map_err(|e| explained(&e, text, file, String::new()))?;
+    Ok(scene)
+}
+
+/// The parser's error with its place and a cure.
+fn explained(error: &serde_json::Error, text: &str, file: &str, field: String) -> SceneError {
+    let (line, column) = (error.line(), error.column());
+    let message = error.to_string();
+    let place = format!(" at line {line} column {column}");
+    let what = message.strip_suffix(&place).unwrap_or(&message);
+    SceneError {
+        position: (line > 0).then_some((line, column)),
+        problem: problem(what, word_at(text, line, column), &field),
+        field,
+        file: file.to_string(),
+    }
+}
+
+/// A JSON object as a map, in which no name may stand twice: by itself, the parser would keep the last.
+pub fn map_without_duplicates<'de, D, T>(deserializer: D) -> Result<BTreeMap<String, T>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
+    struct Unique<T>(std::marker::PhantomData<T>);
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for Unique<T> {
+        type Value = BTreeMap<String, T>;
+
+        fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+            f.write_str("an object {...} with a name for each entry")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Self::Value, A::Error> {
+            let mut map = BTreeMap::new();
+            while let Some(name) = entries.next_key::<String>()? {
+                if map.contains_key(&name) {
+                    return Err(A::Error::custom(format!("duplicate field `{name}`")));
+                }
+                map.insert(name, entries.next_value()?);
+            }
+            Ok(map)
+        }
+    }
+
+    deserializer.deserialize_map(Unique(std::marker::PhantomData))
+}

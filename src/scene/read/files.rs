@@ -1,0 +1,291 @@
+//! Where the files of a scene are read from, and which may be read.
+//!
+//! A scene from elsewhere names other files. It may name those in its own folder and below, and nothing else:
+//! relative paths without `..`, regular files, of a bounded size, and symbolic links only if they stay inside.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::Read;
+use std::path::{Component, Path, PathBuf};
+
+use super::error::Problem;
+use crate::scene::limits::{MAX_FILE_BYTES, MAX_SCENE_BYTES};
+
+/// The files of one scene.
+#[derive(Debug)]
+pub struct Files {
+    folder: Folder,
+    bytes: u64,
+    hash: u64,
+}
+
+/// Where paths in a scene file start.
+#[derive(Debug)]
+enum Folder {
+    /// Inside the program: the text of a file by its name.
+    Embedded(fn(&str) -> Option<&'static str>),
+    /// On disk.
+    Disk(PathBuf),
+    /// In memory.
+    Held(BTreeMap<String, Vec<u8>>),
+}
+
+impl Files {
+    /// The files inside the program, each by its name.
+    pub fn embedded(text: fn(&str) -> Option<&'static str>) -> Self {
+        Self::new(Folder::Embedded(text))
+    }
+
+    /// The files in the folder of the file at `path`.
+    pub fn beside(path: &Path) -> Self {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let folder = if folder.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            folder
+        };
+        Self::new(Folder::Disk(folder.to_path_buf()))
+    }
+
+    /// Files in memory, path and bytes of each.
+    pub fn held(files: BTreeMap<String, Vec<u8>>) -> Self {
+        Self::new(Folder::Held(files))
+    }
+
+    fn new(folder: Folder) -> Self {
+        Self {
+            folder,
+            bytes: 0,
+            // The offset basis of FNV-1a.
+            hash: 0xcbf2_9ce4_8422_2325,
+        }
+    }
+
+    /// What a file that a scene file names is called in messages: its path as the user would write it.
+    pub fn label(&self, name: &str) -> String {
+        match &self.folder {
+            Folder::Disk(folder) if folder != Path::new(".") => {
+                folder.join(name).display().to_string()
+            }
+            _ => name.to_string(),
+        }
+    }
+
+    /// The hash of all that was read so far: 16 hexadecimal digits.
+    pub fn hash(&self) -> String {
+        format!("{:016x}", self.hash)
+    }
+
+    /// Takes the bytes of a file into the hash: FNV-1a, 64 bits (Fowler, Noll and Vo 1991).
+    pub fn take(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.hash ^= u64::from(*byte);
+            self.hash = self.hash.wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    /// The text of the file at `path`, which the user chose and which may be anywhere.
+    pub fn open(&mut self, path: &Path) -> Result<String, Problem> {
+        if let Folder::Held(files) = &self.folder {
+            let bytes = path.to_str().and_then(|name| files.get(name));
+            let bytes = bytes.ok_or_else(missing)?.clone();
+            return self.accept(bytes);
+        }
+        let (file, length) = regular(path)?;
+        self.room_for(length)?;
+        let mut bytes = Vec::with_capacity(length as usize + 1);
+        file.take(MAX_FILE_BYTES + 1)
+            .read_to_end(&mut bytes)
+            .map_err(|e| unreadable(&e))?;
+        self.accept(bytes)
+    }
+
+    /// Takes a file that was read, as text.
+    fn accept(&mut self, bytes: Vec<u8>) -> Result<String, Problem> {
+        // It may have grown since it was asked for its length.
+        self.room_for(bytes.len() as u64)?;
+        self.bytes += bytes.len() as u64;
+        self.take(&bytes);
+        text(bytes)
+    }
+
+    /// An error if a file is so long that it, or all of them together, is too much.
+    fn room_for(&self, length: u64) -> Result<(), Problem> {
+        if length > MAX_FILE_BYTES {
+            return Err(too_large(MAX_FILE_BYTES, "a file"));
+        }
+        if self.bytes.saturating_add(length) > MAX_SCENE_BYTES {
+            return Err(too_large(MAX_SCENE_BYTES, "all files of a scene together"));
+        }
+        Ok(())
+    }
+
+    /// The text of a file that a scene file names. `None` if there is no such file.
+    pub fn read(&mut self, name: &str) -> Result<Option<String>, Problem> {
+        check_name(name)?;
+        let folder = match &self.folder {
+            Folder::Embedded(text) => {
+                let Some(text) = text(name) else {
+                    return Ok(None);
+                };
+                self.take(text.as_bytes());
+                return Ok(Some(text.to_string()));
+            }
+            Folder::Held(files) => {
+                let Some(bytes) = files.get(name.trim_start_matches("./")) else {
+                    return Ok(None);
+                };
+                let bytes = bytes.clone();
+                return self.accept(bytes).map(Some);
+            }
+            Folder::Disk(folder) => folder,
+        };
+        // Both without symbolic links, so that none leads out.
+        let root = folder.canonicalize().map_err(|e| unreadable(&e))?;
+        let path = match root.join(name).canonicalize() {
+            Ok(path) => path,
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(unreadable(&e)),
+        };
+        if !path.starts_with(&root) {
+            return Err(Problem::new(
+                format!("`{name}` is a link to a place outside the scene's folder"),
+                "copy the file into the folder of the scene",
+            ));
+        }
+        self.open(&path).map(Some)
+    }
+}
+
+/// Opens a regular file, and tells its length.
+pub fn regular(path: &Path) -> Result<(fs::File, u64), Problem> {
+    let metadata = fs::metadata(path).map_err(|e| unreadable(&e))?;
+    if metadata.is_dir() {
+        return Err(Problem::new(
+            "this is a folder",
+            "name a file in it that ends in .json or .obj",
+        ));
+    }
+    // Asked before it is opened: a pipe would wait for ever, a device has no end.
+    if !metadata.is_file() {
+        return Err(Problem::new(
+            "this is not a regular file",
+            "save the scene to a file first",
+        ));
+    }
+    let file = fs::File::open(path).map_err(|e| unreadable(&e))?;
+    Ok((file, metadata.len()))
+}
+
+fn too_large(limit: u64, of: &str) -> Problem {
+    Problem::new(
+        format!("{of} may have {} MiB at most", limit >> 20),
+        "use a model with fewer triangles",
+    )
+}
+
+/// Refuses a path that leads out of the scene's folder, or means different things on different systems.
+fn check_name(name: &str) -> Result<(), Problem> {
+    let cure = "copy the file into the folder of the scene and write its path from there, like `models/cup.obj`";
+    let refused = |why: &str| Err(Problem::new(format!("the path `{name}` {why}"), cure));
+    let outside = |c: Component| !matches!(c, Component::Normal(_) | Component::CurDir);
+    if name.is_empty() {
+        refused("is empty")
+    } else if name.contains(['\\', '\0']) {
+        refused("has a character that is not portable (use `/` between folders)")
+    } else if Path::new(name).components().any(outside) {
+        refused("leads out of the scene's folder")
+    } else {
+        Ok(())
+    }
+}
+
+/// Bytes as text; a byte order mark at the start is left out.
+fn text(bytes: Vec<u8>) -> Result<String, Problem> {
+    let text = String::from_utf8(bytes).map_err(|e| {
+        let good = e.utf8_error().valid_up_to();
+        let line = e.as_bytes()[..good].split(|b| *b == b'\n').count();
+        Problem::new(
+            format!("this is not UTF-8 text (line {line}, byte {good})"),
+            "save it with the encoding UTF-8 in your editor, or check that it is the right file",
+        )
+    })?;
+    Ok(match text.strip_prefix('\u{feff}') {
+        Some(rest) => rest.to_string(),
+        None => text,
+    })
+}
+
+fn missing() -> Problem {
+    Problem::new(
+        "there is no such file",
+        "check the spelling, and the folder that you are in",
+    )
+}
+
+/// What the system says about a file.
+fn unreadable(error: &std::io::Error) -> Problem {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => missing(),
+        std::io::ErrorKind::PermissionDenied => {
+            Problem::new("reading is not permitted", "check who may read the file")
+        }
+        _ => Problem::new(
+            format!("it cannot be read: {error}"),
+            "check the file and the disk it is on",
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_stay_inside() {
+        for bad in [
+            "",
+            "/etc/passwd",
+            "../a.mtl",
+            "a/../../b",
+            "a\\b",
+            "a\0b",
+            "..",
+        ] {
+            assert!(check_name(bad).is_err(), "{bad:?}");
+        }
+        for good in ["a.mtl", "models/a b.mtl", "./a.mtl", "..a"] {
+            assert_eq!(check_name(good), Ok(()), "{good:?}");
+        }
+    }
+
+    #[test]
+    fn all_files_of_a_scene_have_a_limit_together() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.mtl");
+        fs::write(&path, "newmtl a\nKd 1 1 1\n").expect("a file");
+        let held = BTreeMap::from([("a.mtl".to_owned(), fs::read(&path).expect("written"))]);
+        let length = fs::metadata(&path).expect("written").len();
+        for mut files in [Files::beside(&path), Files::held(held)] {
+            // As if files of so many bytes had been read before.
+            files.bytes = MAX_SCENE_BYTES - 2 * length;
+            for _ in 0..2 {
+                assert!(files.read("a.mtl").is_ok_and(|text| text.is_some()));
+            }
+            let refused = files.read("a.mtl").expect_err("no byte is left");
+            assert!(
+                format!("{refused:?}").contains("512 MiB at most"),
+                "{refused:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_hash_is_fnv_1a() {
+        // Published test vectors of FNV-1a 64.
+        let mut files = Files::embedded(|_| None);
+        assert_eq!(files.hash(), "cbf29ce484222325");
+        files.take(b"foobar");
+        assert_eq!(files.hash(), "85944171f73967e8");
+    }
+}
