@@ -22,7 +22,7 @@ fn every_built_in_scene_loads_without_a_warning() {
         assert_eq!(scene.warnings, [""; 0], "{name}");
         assert_eq!(scene.shapes.len(), scene.owners.len());
         assert!(!scene.shapes.is_empty() && !scene.lights.is_empty());
-        assert_eq!(scene.hash.len(), 16, "{name}");
+        assert_eq!(scene.hash.len(), 64, "{name}");
     }
     assert!(builtin::names().any(|name| name == builtin::DEFAULT));
 }
