@@ -7,7 +7,7 @@ use std::fmt;
 pub struct SceneError {
     /// The file, or the name of the built-in scene.
     pub file: String,
-    /// Line and column, from 1, if the place is known as such; a column of 0 stands for the whole line.
+    /// Line and column, from 1, if they are known; a column of 0 stands for the whole line.
     pub position: Option<(usize, usize)>,
     /// The path of the field, such as `objects[3].sphere.radius`; empty if it is not about a field.
     pub field: String,
@@ -101,14 +101,14 @@ pub fn printable(text: &str) -> String {
     shown
 }
 
-/// A place in a scene file: the file and the path of a field, from which longer paths are made.
+/// Path of a field in a scene file, such as `objects[3].sphere.radius`, from which longer paths are made.
 #[derive(Clone, Debug)]
-pub struct Place<'a> {
+pub struct FieldPath<'a> {
     file: &'a str,
     path: String,
 }
 
-impl<'a> Place<'a> {
+impl<'a> FieldPath<'a> {
     /// The whole file.
     pub fn root(file: &'a str) -> Self {
         Self {
@@ -117,7 +117,7 @@ impl<'a> Place<'a> {
         }
     }
 
-    /// The field `key` of the object at this place.
+    /// The field `key` of the object at this path.
     pub fn key(&self, key: &str) -> Self {
         let dot = if self.path.is_empty() { "" } else { "." };
         Self {
@@ -126,7 +126,7 @@ impl<'a> Place<'a> {
         }
     }
 
-    /// The element `index` of the list at this place.
+    /// The element `index` of the list at this path.
     pub fn index(&self, index: usize) -> Self {
         Self {
             file: self.file,
@@ -134,12 +134,12 @@ impl<'a> Place<'a> {
         }
     }
 
-    /// An error at this place.
+    /// Error about this field.
     pub fn error(&self, what: impl Into<String>, cure: impl Into<String>) -> SceneError {
         self.wrap(Problem::new(what, cure))
     }
 
-    /// A problem at this place.
+    /// The problem as one of this field.
     pub fn wrap(&self, problem: Problem) -> SceneError {
         SceneError {
             field: self.path.clone(),
@@ -154,8 +154,11 @@ mod tests {
 
     #[test]
     fn an_error_says_where_what_and_the_cure() {
-        let place = Place::root("a.json").key("objects").index(3).key("radius");
-        let error = place.error("is 0", "make it larger");
+        let path = FieldPath::root("a.json")
+            .key("objects")
+            .index(3)
+            .key("radius");
+        let error = path.error("is 0", "make it larger");
         assert_eq!(
             error.to_string(),
             "a.json: objects[3].radius: is 0\n  make it larger"

@@ -19,8 +19,8 @@ use serde::{Deserialize, Serialize};
 pub use light::{AreaFile, DirectionalFile, LightFile, PointFile, SpotFile};
 pub use material::{CheckerFile, MaterialFile};
 pub use object::{
-    BoxFile, DiscFile, GroupFile, MeshFile, ObjFile, ObjectFile, PlaneFile, QuadFile, SphereFile,
-    TriangleFile,
+    BoxFile, Common, DiscFile, GroupFile, MeshFile, ObjFile, ObjectFile, PlaneFile, QuadFile,
+    SphereFile, TriangleFile,
 };
 pub use parse::parse;
 pub use settings::SettingsFile;

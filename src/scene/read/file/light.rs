@@ -20,6 +20,18 @@ pub enum LightFile {
     Area(AreaFile),
 }
 
+impl LightFile {
+    /// Its kind, as the file writes it, and its name.
+    pub fn kind_and_name(&self) -> (&'static str, &str) {
+        match self {
+            Self::Point(light) => ("point", &light.name),
+            Self::Directional(light) => ("directional", &light.name),
+            Self::Spot(light) => ("spot", &light.name),
+            Self::Area(light) => ("area", &light.name),
+        }
+    }
+}
+
 /// A point light.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -5,6 +5,27 @@ use serde::{Deserialize, Serialize};
 
 use super::{TransformStep, Vector};
 
+/// Kind of object in a scene file: the fields that all of one material share, then its own.
+macro_rules! object_file {
+    ($(#[$doc:meta])* $name:ident { $($own:tt)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        pub struct $name {
+            /// Its name.
+            pub name: String,
+            /// What it is there for.
+            pub note: Option<String>,
+            /// The name of its material.
+            pub material: String,
+            /// How it is placed.
+            #[serde(default)]
+            pub transform: Vec<TransformStep>,
+            $($own)*
+        }
+    };
+}
+
 /// Something to see, or a group of such.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -29,146 +50,122 @@ pub enum ObjectFile {
     Group(GroupFile),
 }
 
-/// A sphere. u runs once around the y axis, v from the lowest point (0) to the highest (1).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SphereFile {
-    /// Its name.
-    pub name: String,
-    /// What it is there for.
-    pub note: Option<String>,
-    /// The name of its material.
-    pub material: String,
+/// Fields that objects of all kinds have.
+pub struct Common<'a> {
+    /// The kind, as the file writes it.
+    pub kind: &'static str,
+    /// The name.
+    pub name: &'a str,
+    /// The name of the material, if it has one of its own.
+    pub material: Option<&'a str>,
     /// How it is placed.
-    #[serde(default)]
-    pub transform: Vec<TransformStep>,
-    /// The centre.
-    pub center: Vector,
-    /// The radius, above 0.
-    pub radius: f64,
+    pub transform: &'a [TransformStep],
 }
 
-/// An endless plane. u and v are metres from `point`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PlaneFile {
-    /// Its name.
-    pub name: String,
-    /// What it is there for.
-    pub note: Option<String>,
-    /// The name of its material.
-    pub material: String,
-    /// How it is placed.
-    #[serde(default)]
-    pub transform: Vec<TransformStep>,
-    /// A point of it.
-    pub point: Vector,
-    /// The direction at right angles to it; any length but 0.
-    pub normal: Vector,
+impl ObjectFile {
+    /// Kind, name, material and transform.
+    pub fn common(&self) -> Common<'_> {
+        macro_rules! common {
+            ($kind:literal, $object:ident, $material:expr) => {
+                Common {
+                    kind: $kind,
+                    name: &$object.name,
+                    material: $material,
+                    transform: &$object.transform,
+                }
+            };
+        }
+        match self {
+            Self::Sphere(o) => common!("sphere", o, Some(&o.material)),
+            Self::Plane(o) => common!("plane", o, Some(&o.material)),
+            Self::Disc(o) => common!("disc", o, Some(&o.material)),
+            Self::Triangle(o) => common!("triangle", o, Some(&o.material)),
+            Self::Quad(o) => common!("quad", o, Some(&o.material)),
+            Self::Box(o) => common!("box", o, Some(&o.material)),
+            Self::Mesh(o) => common!("mesh", o, Some(&o.material)),
+            Self::Obj(o) => common!("obj", o, o.material.as_deref()),
+            Self::Group(o) => common!("group", o, None),
+        }
+    }
 }
 
-/// A disc. u runs once around it, v from the centre (0) to the rim (1).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct DiscFile {
-    /// Its name.
-    pub name: String,
-    /// What it is there for.
-    pub note: Option<String>,
-    /// The name of its material.
-    pub material: String,
-    /// How it is placed.
-    #[serde(default)]
-    pub transform: Vec<TransformStep>,
-    /// The centre.
-    pub center: Vector,
-    /// The direction at right angles to it, on its front; any length but 0.
-    pub normal: Vector,
-    /// The radius, above 0.
-    pub radius: f64,
+object_file! {
+    /// A sphere. u runs once around the y axis, v from the lowest point (0) to the highest (1).
+    SphereFile {
+        /// The centre.
+        pub center: Vector,
+        /// The radius, above 0.
+        pub radius: f64,
+    }
 }
 
-/// A triangle. Its front is the side from which the corners run counter-clockwise.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct TriangleFile {
-    /// Its name.
-    pub name: String,
-    /// What it is there for.
-    pub note: Option<String>,
-    /// The name of its material.
-    pub material: String,
-    /// How it is placed.
-    #[serde(default)]
-    pub transform: Vec<TransformStep>,
-    /// The corners.
-    pub corners: [Vector; 3],
-    /// Normals at the corners, for a look as if it were curved; any length but 0.
-    pub normals: Option<[Vector; 3]>,
+object_file! {
+    /// An endless plane. u and v are metres from `point`.
+    PlaneFile {
+        /// A point of it.
+        pub point: Vector,
+        /// The direction at right angles to it; any length but 0.
+        pub normal: Vector,
+    }
 }
 
-/// The parallelogram between `corner`, `corner` + u, `corner` + u + v and `corner` + v, whose front shows along u x v.
-/// u and v run from 0 to 1.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct QuadFile {
-    /// Its name.
-    pub name: String,
-    /// What it is there for.
-    pub note: Option<String>,
-    /// The name of its material.
-    pub material: String,
-    /// How it is placed.
-    #[serde(default)]
-    pub transform: Vec<TransformStep>,
-    /// One corner.
-    pub corner: Vector,
-    /// The edge to the next corner.
-    pub u: Vector,
-    /// The other edge from the same corner.
-    pub v: Vector,
+object_file! {
+    /// A disc. u runs once around it, v from the centre (0) to the rim (1).
+    DiscFile {
+        /// The centre.
+        pub center: Vector,
+        /// The direction at right angles to it, on its front; any length but 0.
+        pub normal: Vector,
+        /// The radius, above 0.
+        pub radius: f64,
+    }
 }
 
-/// A solid box with faces along the axes. u and v run from 0 to 1 over each face.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BoxFile {
-    /// Its name.
-    pub name: String,
-    /// What it is there for.
-    pub note: Option<String>,
-    /// The name of its material.
-    pub material: String,
-    /// How it is placed.
-    #[serde(default)]
-    pub transform: Vec<TransformStep>,
-    /// The corner with the smallest coordinates.
-    pub min: Vector,
-    /// The corner with the largest.
-    pub max: Vector,
+object_file! {
+    /// A triangle. Its front is the side from which the corners run counter-clockwise.
+    TriangleFile {
+        /// The corners.
+        pub corners: [Vector; 3],
+        /// Normals at the corners, for a look as if it were curved; any length but 0.
+        pub normals: Option<[Vector; 3]>,
+    }
 }
 
-/// A triangle mesh.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct MeshFile {
-    /// Its name.
-    pub name: String,
-    /// What it is there for.
-    pub note: Option<String>,
-    /// The name of its material.
-    pub material: String,
-    /// How it is placed.
-    #[serde(default)]
-    pub transform: Vec<TransformStep>,
-    /// Points.
-    pub vertices: Vec<Vector>,
-    /// Triples of numbers of vertices, counted from 0.
-    pub triangles: Vec<[u32; 3]>,
-    /// A normal for each vertex, for a look as if it were curved; any length but 0.
-    pub normals: Option<Vec<Vector>>,
-    /// Surface coordinates for each vertex.
-    pub uvs: Option<Vec<[f64; 2]>>,
+object_file! {
+    /// The parallelogram between `corner`, `corner` + u, `corner` + u + v and `corner` + v, whose front shows along u x v.
+    /// u and v run from 0 to 1.
+    QuadFile {
+        /// One corner.
+        pub corner: Vector,
+        /// The edge to the next corner.
+        pub u: Vector,
+        /// The other edge from the same corner.
+        pub v: Vector,
+    }
+}
+
+object_file! {
+    /// A solid box with faces along the axes. u and v run from 0 to 1 over each face.
+    BoxFile {
+        /// The corner with the smallest coordinates.
+        pub min: Vector,
+        /// The corner with the largest.
+        pub max: Vector,
+    }
+}
+
+object_file! {
+    /// A triangle mesh.
+    MeshFile {
+        /// Points.
+        pub vertices: Vec<Vector>,
+        /// Triples of numbers of vertices, counted from 0.
+        pub triangles: Vec<[u32; 3]>,
+        /// A normal for each vertex, for a look as if it were curved; any length but 0.
+        pub normals: Option<Vec<Vector>>,
+        /// Surface coordinates for each vertex.
+        pub uvs: Option<Vec<[f64; 2]>>,
+    }
 }
 
 /// A mesh from an OBJ file.

@@ -2,29 +2,29 @@
 
 use super::checks::{direction, point};
 use crate::scene::Camera;
-use crate::scene::read::error::{Place, SceneError};
+use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::CameraFile;
 
 /// Camera, if the file gives it a view direction and an up direction.
-pub fn camera(file: &CameraFile, place: &Place) -> Result<Camera, SceneError> {
-    let eye = point(file.eye, &place.key("eye"))?;
-    let look_at = point(file.look_at, &place.key("look_at"))?;
-    let up = direction(file.up, &place.key("up"))?;
+pub fn camera(file: &CameraFile, path: &FieldPath) -> Result<Camera, SceneError> {
+    let eye = point(file.eye, &path.key("eye"))?;
+    let look_at = point(file.look_at, &path.key("look_at"))?;
+    let up = direction(file.up, &path.key("up"))?;
     let fov = file.vertical_fov;
     if !(fov > 0.0 && fov < 180.0) {
-        return Err(place.key("vertical_fov").error(
+        return Err(path.key("vertical_fov").error(
             format!("a field of view of {fov} degrees is not possible"),
             "write an angle between 0 and 180 degrees; 45 looks natural",
         ));
     }
     if eye == look_at {
-        return Err(place.error(
+        return Err(path.error(
             "`eye` and `look_at` are the same point, so there is no direction to look in",
             "move one of them",
         ));
     }
     Camera::new(eye, look_at, up, fov.to_radians()).ok_or_else(|| {
-        place.key("up").error(
+        path.key("up").error(
             "`up` is parallel to the view direction, so nothing says which way is up in the picture",
             "choose another `up`: looking straight down, [0, 0, -1] will do",
         )

@@ -2,23 +2,23 @@
 
 use super::checks::number;
 use crate::scene::limits::{MAX_LIGHT_SAMPLES, MAX_RADIANCE, MAX_SAMPLES, size_problem};
-use crate::scene::read::error::{Place, SceneError};
+use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::SettingsFile;
 use crate::scene::{AreaLightSampling, Image, PixelSampling, Recursion, Sampling, Settings};
 
 /// Settings, with the program's default for each that the file does not give.
-pub fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneError> {
+pub fn settings(file: &SettingsFile, path: &FieldPath) -> Result<Settings, SceneError> {
     let default = Settings::default();
     let [width, height] = file
         .size
         .unwrap_or([default.image.width, default.image.height]);
     if let Some(problem) = size_problem(width, height) {
-        let place = place.key("size");
-        return Err(place.error(problem, "write [width, height], such as [320, 240]"));
+        let path = path.key("size");
+        return Err(path.error(problem, "write [width, height], such as [320, 240]"));
     }
     let samples = file.samples.unwrap_or(default.pixel.samples);
     if samples == 0 || samples > MAX_SAMPLES {
-        return Err(place.key("samples").error(
+        return Err(path.key("samples").error(
             format!("{samples} samples a pixel are not possible"),
             format!("write a whole number from 1 to {MAX_SAMPLES}"),
         ));
@@ -27,12 +27,12 @@ pub fn settings(file: &SettingsFile, place: &Place) -> Result<Settings, SceneErr
         number(
             value.unwrap_or(default),
             [0.0, MAX_RADIANCE],
-            &place.key(key),
+            &path.key(key),
         )
     };
     let light_samples = file.light_samples.unwrap_or(default.light.samples);
     if light_samples == 0 || light_samples > MAX_LIGHT_SAMPLES {
-        return Err(place.key("light_samples").error(
+        return Err(path.key("light_samples").error(
             format!("{light_samples} shadow rays to a light are not possible"),
             format!("write a whole number from 1 to {MAX_LIGHT_SAMPLES}"),
         ));

@@ -1,14 +1,25 @@
-//! Shapes in the world: what can be is carried there, the rest keeps its own space.
+//! Shapes in the world: those that keep their kind are carried there, the others are tested in their own space.
 
 use crate::geometry::{Aabb, Cuboid, Disc, Placed, Plane, Shape, Sphere};
 use crate::math::{DVec3, Transform};
 
-/// A sphere in the world. Scaled evenly it stays a sphere; stretched, or turned where its surface coordinates can
-/// be seen, it is tested in its own space.
-pub fn sphere(sphere: Sphere, map: Option<&Transform>, turn_shows: bool) -> Shape {
-    let Some(map) = map else {
-        return Shape::Sphere(sphere);
-    };
+/// Shape in the world. `turn_shows` tells that its surface coordinates can be seen, so that a turn matters.
+pub fn in_world(shape: Shape, map: Option<&Transform>, turn_shows: bool) -> Shape {
+    let Some(map) = map else { return shape };
+    match shape {
+        Shape::Sphere(s) => sphere(s, map, turn_shows),
+        Shape::Disc(d) => disc(*d, map, turn_shows),
+        Shape::Cuboid(c) => cuboid(c.bounds, map),
+        Shape::Plane(p) => Shape::Plane(Box::new(Plane::new(
+            map.point(p.origin()),
+            map.normal(p.normal()),
+        ))),
+        other => placed(other, map),
+    }
+}
+
+/// Scaled evenly it stays a sphere; stretched, or turned where that shows, it is tested in its own space.
+fn sphere(sphere: Sphere, map: &Transform, turn_shows: bool) -> Shape {
     match map.uniform_scale() {
         Some(scale) if !turn_shows || !turns(map) => Shape::Sphere(Sphere {
             center: map.point(sphere.center),
@@ -18,11 +29,8 @@ pub fn sphere(sphere: Sphere, map: Option<&Transform>, turn_shows: bool) -> Shap
     }
 }
 
-/// A disc in the world. Scaled evenly it stays a disc, as long as nobody sees where its u begins.
-pub fn disc(disc: Disc, map: Option<&Transform>, turn_shows: bool) -> Shape {
-    let Some(map) = map else {
-        return Shape::Disc(Box::new(disc));
-    };
+/// Scaled evenly it stays a disc, unless it shows where its u begins.
+fn disc(disc: Disc, map: &Transform, turn_shows: bool) -> Shape {
     match map.uniform_scale() {
         Some(scale) if !turn_shows => Shape::Disc(Box::new(Disc::new(
             map.point(disc.center),
@@ -33,11 +41,8 @@ pub fn disc(disc: Disc, map: Option<&Transform>, turn_shows: bool) -> Shape {
     }
 }
 
-/// A box in the world. If every axis goes to an axis it stays a box along the axes.
-pub fn cuboid(bounds: Aabb, map: Option<&Transform>) -> Shape {
-    let Some(map) = map else {
-        return Shape::Cuboid(Cuboid { bounds });
-    };
+/// If every axis goes to an axis it stays a box along the axes.
+fn cuboid(bounds: Aabb, map: &Transform) -> Shape {
     let to_axis = |v: DVec3| v.to_array().iter().filter(|c| **c != 0.0).count() == 1;
     if DVec3::AXES.iter().all(|&axis| to_axis(map.vector(axis))) {
         let corners = [map.point(bounds.min), map.point(bounds.max)];
@@ -45,14 +50,6 @@ pub fn cuboid(bounds: Aabb, map: Option<&Transform>) -> Shape {
         return Shape::Cuboid(Cuboid { bounds });
     }
     placed(Shape::Cuboid(Cuboid { bounds }), map)
-}
-
-/// A plane in the world.
-pub fn plane(point: DVec3, normal: DVec3, map: Option<&Transform>) -> Shape {
-    Shape::Plane(Box::new(match map {
-        None => Plane::new(point, normal),
-        Some(map) => Plane::new(map.point(point), map.normal(normal)),
-    }))
 }
 
 fn placed(shape: Shape, transform: &Transform) -> Shape {
@@ -86,29 +83,20 @@ mod tests {
             radius: 1.0,
         };
         let grown = map(DAffine3::from_scale(DVec3::splat(2.0)));
-        let Shape::Sphere(s) = sphere(unit, Some(&grown), true) else {
+        let Shape::Sphere(s) = sphere(unit, &grown, true) else {
             panic!("evenly scaled")
         };
         assert_eq!((s.center, s.radius), (DVec3::X * 2.0, 2.0));
         let stretched = map(DAffine3::from_scale(DVec3::new(1.0, 2.0, 1.0)));
-        assert!(matches!(
-            sphere(unit, Some(&stretched), false),
-            Shape::Placed(_)
-        ));
+        assert!(matches!(sphere(unit, &stretched, false), Shape::Placed(_)));
         let turned = map(DAffine3::from_rotation_y(1.0));
-        assert!(matches!(
-            sphere(unit, Some(&turned), false),
-            Shape::Sphere(_)
-        ));
-        assert!(matches!(
-            sphere(unit, Some(&turned), true),
-            Shape::Placed(_)
-        ));
+        assert!(matches!(sphere(unit, &turned, false), Shape::Sphere(_)));
+        assert!(matches!(sphere(unit, &turned, true), Shape::Placed(_)));
 
         let bounds = Aabb::around([DVec3::ZERO, DVec3::ONE]);
-        assert!(matches!(cuboid(bounds, Some(&turned)), Shape::Placed(_)));
+        assert!(matches!(cuboid(bounds, &turned), Shape::Placed(_)));
         let flipped = map(DAffine3::from_scale(DVec3::new(-2.0, 1.0, 1.0)));
-        let Shape::Cuboid(c) = cuboid(bounds, Some(&flipped)) else {
+        let Shape::Cuboid(c) = cuboid(bounds, &flipped) else {
             panic!("along the axes")
         };
         assert_eq!(

@@ -5,20 +5,20 @@ use glam::{DAffine3, DMat3};
 use super::checks::{direction, number, point};
 use crate::math::{DVec3, Transform};
 use crate::scene::limits::MAX_COORDINATE;
-use crate::scene::read::error::{Place, SceneError};
+use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::{RotateFile, ScaleFile, TransformStep};
 
 /// The map that applies the steps in their order, and `outer` after them. `None` stands for the map that changes
 /// nothing.
-pub fn placed(
+pub fn to_world(
     steps: &[TransformStep],
     outer: Option<&Transform>,
-    place: &Place,
+    path: &FieldPath,
 ) -> Result<Option<Transform>, SceneError> {
-    let place = place.key("transform");
+    let path = path.key("transform");
     let mut map = DAffine3::IDENTITY;
     for (i, step) in steps.iter().enumerate() {
-        map = matrix(step, &place.index(i))? * map;
+        map = matrix(step, &path.index(i))? * map;
     }
     if steps.is_empty() {
         return Ok(outer.copied());
@@ -27,7 +27,7 @@ pub fn placed(
         map = outer.to_world() * map;
     }
     let transform = Transform::new(map).ok_or_else(|| {
-        place.error(
+        path.error(
             "the transform squeezes everything flat, or to a size that numbers cannot hold",
             "make no factor 0, and no row of a matrix a multiple of another",
         )
@@ -35,26 +35,26 @@ pub fn placed(
     Ok(Some(transform))
 }
 
-fn matrix(step: &TransformStep, place: &Place) -> Result<DAffine3, SceneError> {
+fn matrix(step: &TransformStep, path: &FieldPath) -> Result<DAffine3, SceneError> {
     Ok(match step {
         TransformStep::Translate(by) => {
-            DAffine3::from_translation(point(*by, &place.key("translate"))?)
+            DAffine3::from_translation(point(*by, &path.key("translate"))?)
         }
         TransformStep::Rotate(rotate) => {
-            DAffine3::from_mat3(rotation(rotate, &place.key("rotate"))?)
+            DAffine3::from_mat3(rotation(rotate, &path.key("rotate"))?)
         }
         TransformStep::Scale(ScaleFile::Even(by)) => {
-            DAffine3::from_scale(point([*by; 3], &place.key("scale"))?)
+            DAffine3::from_scale(point([*by; 3], &path.key("scale"))?)
         }
         TransformStep::Scale(ScaleFile::Axes(by)) => {
-            DAffine3::from_scale(point(*by, &place.key("scale"))?)
+            DAffine3::from_scale(point(*by, &path.key("scale"))?)
         }
         TransformStep::Matrix(rows) => {
-            let place = place.key("matrix");
+            let path = path.key("matrix");
             for (i, row) in rows.iter().enumerate() {
                 for (j, x) in row.iter().enumerate() {
-                    let place = place.index(i).index(j);
-                    number(*x, [-MAX_COORDINATE, MAX_COORDINATE], &place)?;
+                    let path = path.index(i).index(j);
+                    number(*x, [-MAX_COORDINATE, MAX_COORDINATE], &path)?;
                 }
             }
             let column = |j: usize| DVec3::new(rows[0][j], rows[1][j], rows[2][j]);
@@ -64,12 +64,12 @@ fn matrix(step: &TransformStep, place: &Place) -> Result<DAffine3, SceneError> {
 }
 
 /// The rotation by an angle around a unit axis a: cos I + (1 - cos) a a^T + sin [a]x (Rodrigues 1840).
-fn rotation(file: &RotateFile, place: &Place) -> Result<DMat3, SceneError> {
-    let a = direction(file.axis, &place.key("axis"))?;
+fn rotation(file: &RotateFile, path: &FieldPath) -> Result<DMat3, SceneError> {
+    let a = direction(file.axis, &path.key("axis"))?;
     let degrees = number(
         file.degrees,
         [-MAX_COORDINATE, MAX_COORDINATE],
-        &place.key("degrees"),
+        &path.key("degrees"),
     )?;
     let (sin, cos) = sin_cos_degrees(degrees);
     let outer = DMat3::from_cols(a * a.x, a * a.y, a * a.z);
@@ -102,8 +102,8 @@ mod tests {
 
     fn apply(steps: &str, p: DVec3) -> DVec3 {
         let steps: Vec<TransformStep> = serde_json::from_str(steps).expect("steps");
-        let place = Place::root("test");
-        let map = placed(&steps, None, &place).expect("can be undone");
+        let path = FieldPath::root("test");
+        let map = to_world(&steps, None, &path).expect("can be undone");
         map.map_or(p, |m| m.point(p))
     }
 
