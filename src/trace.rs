@@ -1,30 +1,35 @@
-//! What happened: the recorded pixel, as a log, as a tree, as numbers to read.
+//! The recorded pixel, as a log, as a ray tree, as an owned document, as numbers to read.
 //!
 //! The log is the truth. The tree ([`RayTree`]) is a fold of it; stepping ([`Cursor`]) is an index into it; what is
-//! shown beside it is computed again from it with the tracer's own functions ([`mod@explain`]).
+//! shown beside it is computed again from it with the tracer's own functions ([`mod@explain`]). The [`Document`] is made
+//! from both, with names instead of ids; whatever is written ([`export`]) is made from the document alone.
 
 pub mod counts;
 pub mod cursor;
-pub mod diagram;
+pub mod document;
 pub mod explain;
+pub mod export;
 pub mod format;
-pub mod json;
 pub mod ledger;
 pub mod light_estimate;
+pub mod lighting;
 pub mod pick;
 pub mod recorder;
 pub mod surface_hit;
-pub mod text;
 pub mod tree;
+pub mod view;
 
 pub use counts::Counts;
 pub use cursor::Cursor;
+pub use document::Document;
 pub use explain::{Explanation, explain};
 pub use light_estimate::LightEstimate;
+pub use lighting::Lighting;
 pub use pick::{Picked, pick};
 pub use recorder::Recorder;
-pub use surface_hit::{Lighting, SurfaceHit};
+pub use surface_hit::SurfaceHit;
 pub use tree::{Node, Outcome, RayTree};
+pub use view::View;
 
 use crate::scene::Settings;
 use crate::tracer::{Pixel, on_threads, pixel};
@@ -39,19 +44,8 @@ pub struct PixelTrace {
     pub y: u32,
     /// Its colour: that of the rendered picture, bit for bit.
     pub pixel: Pixel,
-    /// How it came about.
+    /// Its log and its ray trees.
     pub tree: RayTree,
-}
-
-/// A recorded pixel with the world and the settings that it was traced in: all that is needed to explain it.
-#[derive(Clone, Copy, Debug)]
-pub struct View<'a> {
-    /// The scene and its accelerator.
-    pub world: &'a World,
-    /// The settings.
-    pub settings: &'a Settings,
-    /// The recording.
-    pub trace: &'a PixelTrace,
 }
 
 /// Traces pixel (x, y) again, as [`crate::tracer::render()`] does, and writes down what happens; with every step

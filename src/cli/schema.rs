@@ -22,7 +22,7 @@ impl Schema {
     pub fn run(&self) -> Result<Done, Failure> {
         let schema = match self.format {
             Format::Scene => crate::scene::file::schema(),
-            Format::Tree => crate::trace::json::schema(),
+            Format::Tree => crate::trace::document::schema(),
         };
         output::to_stdout(format!("{schema:#}\n").as_bytes())
     }

@@ -7,7 +7,8 @@ use clap::{Args, ValueEnum};
 use super::settings::SceneArgs;
 use super::{Done, Failure, output};
 use crate::accel::clearest;
-use crate::trace::{View, diagram, json, text, trace_pixel};
+use crate::trace::export::{Dot, Svg, Text, json};
+use crate::trace::{View, document, trace_pixel};
 
 #[derive(Args)]
 pub struct Trace {
@@ -52,19 +53,16 @@ impl Trace {
             )));
         }
         let trace = trace_pixel(&world, &settings, self.pixel, self.traversal);
-        let view = View {
+        let document = document::of(View {
             world: &world,
             settings: &settings,
             trace: &trace,
-        };
+        });
         output::write(self.output.as_deref(), |out| match self.format {
-            Format::Json => {
-                serde_json::to_writer_pretty(&mut *out, &json::document(view))?;
-                writeln!(out)
-            }
-            Format::Text => write!(out, "{}", text::Text(view)),
-            Format::Dot => write!(out, "{}", diagram::Dot(view)),
-            Format::Svg => write!(out, "{}", diagram::Svg(view)),
+            Format::Json => json::write(out, &document),
+            Format::Text => write!(out, "{}", Text(&document)),
+            Format::Dot => write!(out, "{}", Dot(&document)),
+            Format::Svg => write!(out, "{}", Svg(&document)),
         })?;
         if trace.tree.dropped > 0 {
             let dropped = trace.tree.dropped;

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::cost::Sweep;
+use crate::trace::export::xml::escape;
 
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 480.0;
@@ -44,7 +45,7 @@ pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
     ));
     add(format!(
         r#"<text x="{MARGIN}" y="24" font-size="16">{}</text>"#,
-        escaped(title)
+        escape(title)
     ));
     for power in powers(x_range) {
         let at = x(power);
@@ -93,7 +94,7 @@ pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
         add(format!(
             r#"<text x="{:.1}" y="{line:.1}" text-anchor="end" fill="{color}">{}</text>"#,
             WIDTH - MARGIN - 6.0,
-            escaped(name)
+            escape(name)
         ));
     }
     add("</svg>".to_owned());
@@ -121,8 +122,4 @@ pub fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 
 fn powers((low, high): (f64, f64)) -> impl Iterator<Item = f64> {
     (low as i32..=high as i32).map(f64::from)
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;")
 }

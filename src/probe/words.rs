@@ -19,21 +19,6 @@ impl Absence {
 }
 
 impl Choice {
-    /// Which children are visited, as JSON says it.
-    pub fn visit(self) -> &'static str {
-        match self {
-            Self::Both | Self::BothInDoubt => "both",
-            Self::NearSplitBeyond | Self::NearRunsAway => "near",
-            Self::FarSplitBefore => "far",
-            Self::Children => "children",
-            Self::Leaf
-            | Self::Cell
-            | Self::SkippedCloserHit
-            | Self::SkippedOutside
-            | Self::SkippedMissed => "none",
-        }
-    }
-
     /// Why, in words.
     pub fn reason(self) -> &'static str {
         match self {

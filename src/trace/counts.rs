@@ -1,4 +1,4 @@
-//! The probe that only counts. Unlike times, its numbers are the same on every machine.
+//! The probe that counts events. Unlike times, its numbers are the same on every machine.
 
 use crate::probe::{Event, Probe, RayKind, Verdict};
 
@@ -29,7 +29,7 @@ impl Counts {
         self.incident + self.light + self.reflected + self.transmitted + self.passed
     }
 
-    /// The sum of both.
+    /// The sums of two counts.
     #[must_use]
     pub fn plus(self, other: &Self) -> Self {
         Self {

@@ -1,11 +1,11 @@
-//! Stepping through a recorded pixel: a place in its log.
+//! A cursor in the log of a recorded pixel, and its moves.
 //!
 //! Every move is arithmetic on one index, so back is the exact inverse of forward.
 
 use super::RayTree;
 use crate::probe::{Event, RayKind};
 
-/// A place in the log of a [`RayTree`].
+/// The index of an event in the log of a [`RayTree`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cursor {
     position: usize,

@@ -1,10 +1,14 @@
-//! What an event means: the equation with its numbers, and one plain sentence.
+//! Explanations of events: the equation with its numbers, and one plain sentence.
 //!
 //! Nothing here is derived by hand: values come from the log, or from the tracer's own functions with the recorded
 //! inputs.
 
+mod absence;
+mod end;
+mod light_samples;
 mod ray;
 mod surface;
+mod term;
 mod traversal;
 
 use super::View;
@@ -12,7 +16,7 @@ use super::format::rgb;
 use crate::math::Rgb;
 use crate::probe::{Event, NONE};
 
-/// An event, explained.
+/// What an event means.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Explanation {
     /// What it is, in a few words.
@@ -20,12 +24,12 @@ pub struct Explanation {
     /// What it means, in one sentence.
     pub sentence: String,
     /// The numbers, from the given to the result.
-    pub rows: Vec<Row>,
+    pub rows: Vec<Quantity>,
 }
 
 /// A quantity and its value, or an equation and its numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct Quantity {
     /// What stands left of the equals sign.
     pub name: String,
     /// What stands right of it.
@@ -45,7 +49,7 @@ impl Explanation {
 
     /// Adds `name = text`.
     fn row(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
-        self.rows.push(Row {
+        self.rows.push(Quantity {
             name: name.into(),
             text: text.into(),
             color: None,
@@ -55,7 +59,7 @@ impl Explanation {
 
     /// Adds `name = colour`.
     fn color(mut self, name: impl Into<String>, value: Rgb) -> Self {
-        self.rows.push(Row {
+        self.rows.push(Quantity {
             name: name.into(),
             text: rgb(value),
             color: Some(value),
@@ -64,7 +68,7 @@ impl Explanation {
     }
 }
 
-/// Explains the event at a place in the log.
+/// The explanation of an event, by its index in the log.
 pub fn explain(view: View, index: usize) -> Explanation {
     let tree = &view.trace.tree;
     let Some(event) = tree.events.get(index) else {
@@ -84,17 +88,17 @@ pub fn explain(view: View, index: usize) -> Explanation {
             verdict,
             t,
         } => traversal::test(view, node, primitive, verdict, t),
-        Event::LightSamples { light, .. } => surface::bundle(view, node, light),
+        Event::LightSamples { light, .. } => light_samples::light_samples(view, node, light),
         Event::Hit(_) => surface::hit(view, node),
-        Event::Miss => ray::miss(view),
-        Event::Lit => ray::lit(view, node),
-        Event::Blocked(_) => ray::blocked(view, node),
+        Event::Miss => end::miss(view),
+        Event::Lit => end::lit(view, node),
+        Event::Blocked(_) => end::blocked(view, node),
         Event::Term {
             term,
             sample,
             light,
             value,
-        } => surface::term(view, node, term, (light, u32::from(sample)), value),
+        } => term::term(view, node, term, (light, u32::from(sample)), value),
         Event::Passed { hit, medium } => surface::passed(view, node, &hit, medium),
         Event::Boundary {
             n1,
@@ -105,7 +109,7 @@ pub fn explain(view: View, index: usize) -> Explanation {
             kind,
             light,
             reason,
-        } => surface::absent(view, node, kind, light, reason),
-        Event::Return { radiance } => ray::returned(view, node, radiance),
+        } => absence::absent(view, node, kind, light, reason),
+        Event::Return { radiance } => end::returned(view, node, radiance),
     }
 }

@@ -21,14 +21,19 @@ pub fn num(x: f64) -> String {
     format!("{x:.3e}")
 }
 
-/// A vector: `(x, y, z)`.
-pub fn vec3(v: DVec3) -> String {
-    format!("({}, {}, {})", num(v.x), num(v.y), num(v.z))
+/// Three numbers: `(x, y, z)`.
+pub fn triple([x, y, z]: [f64; 3]) -> String {
+    format!("({}, {}, {})", num(x), num(y), num(z))
 }
 
-/// A colour: `(r, g, b)`, linear.
+/// A vector: `(x, y, z)`.
+pub fn vec3(v: DVec3) -> String {
+    triple(v.to_array())
+}
+
+/// A linear colour: `(r, g, b)`.
 pub fn rgb(c: Rgb) -> String {
-    format!("({}, {}, {})", num(c.r), num(c.g), num(c.b))
+    triple(c.channels())
 }
 
 /// The angle of a cosine, in degrees with two decimals.

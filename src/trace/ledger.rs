@@ -11,13 +11,13 @@ use crate::tracer::pixel::counted;
 
 /// One summand of a node's radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Entry {
+pub enum Summand {
     /// A term of the shading equation.
     Term {
         /// Which.
         term: Term,
-        /// The light that it comes from, or [`crate::probe::NONE`], and the number of its sample.
-        light: (u32, u16),
+        /// The light that it comes from, or [`crate::probe::NONE`].
+        light: u32,
         /// Its value.
         value: Rgb,
     },
@@ -34,7 +34,7 @@ pub enum Entry {
     },
 }
 
-impl Entry {
+impl Summand {
     /// What it adds.
     pub fn value(&self) -> Rgb {
         match *self {
@@ -47,23 +47,16 @@ impl Entry {
 }
 
 /// The summands of a node's radiance, in the order in which they were added.
-pub fn entries(tree: &RayTree, id: u32) -> Vec<Entry> {
+pub fn summands(tree: &RayTree, id: u32) -> Vec<Summand> {
     let terms = tree.own_events(id).filter_map(|(_, event)| match *event {
         Event::Term {
-            term,
-            sample,
-            light,
-            value,
-        } => Some(Entry::Term {
-            term,
-            light: (light, sample),
-            value,
-        }),
+            term, light, value, ..
+        } => Some(Summand::Term { term, light, value }),
         _ => None,
     });
     let children = tree.children(id).filter_map(|node| {
         let child = tree.node(node);
-        (child.ray.kind != RayKind::Light).then_some(Entry::Child {
+        (child.ray.kind != RayKind::Light).then_some(Summand::Child {
             node,
             kind: child.ray.kind,
             weight: child.ray.weight,
@@ -74,11 +67,11 @@ pub fn entries(tree: &RayTree, id: u32) -> Vec<Entry> {
     terms.chain(children).collect()
 }
 
-/// The sum of a node's entries.
+/// The sum of a node's terms and weighted children.
 pub fn sum(tree: &RayTree, id: u32) -> Rgb {
-    entries(tree, id)
+    summands(tree, id)
         .iter()
-        .fold(Rgb::BLACK, |sum, entry| sum + entry.value())
+        .fold(Rgb::BLACK, |sum, summand| sum + summand.value())
 }
 
 /// The first node whose ledger does not close, if there is one. A log that was cut need not close.

@@ -1,11 +1,11 @@
-//! The shadow rays of one hit to one area light, taken together.
+//! The estimate of an area light at a hit, from all shadow rays that were sent to it.
 
 use super::View;
 use super::tree::Outcome;
 use crate::math::Rgb;
 use crate::probe::{Event, RayKind};
 
-/// How one place sees an area light: an estimate of an integral, and how far it may be off.
+/// Monte Carlo estimate of what an area light adds at a hit, with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightEstimate {
     /// The light.
@@ -24,7 +24,7 @@ pub struct LightEstimate {
 }
 
 impl View<'_> {
-    /// The bundles of a node's hit, light by light.
+    /// The estimates at a node's hit, one for each area light that rays were sent to.
     pub fn light_estimates(self, node: u32) -> Vec<LightEstimate> {
         let tree = &self.trace.tree;
         let lights = 0..self.world.scene.lights.len() as u32;
@@ -40,7 +40,7 @@ impl View<'_> {
             .collect()
     }
 
-    /// The bundle of a node's hit and one area light.
+    /// The estimate at a node's hit of one area light.
     pub fn light_estimate(self, node: u32, light: u32) -> LightEstimate {
         let tree = &self.trace.tree;
         let rays = || tree.children(node).map(|child| tree.node(child));

@@ -1,10 +1,10 @@
-//! What a pixel looks at, without following any light: one ray and its first hit.
+//! Picking: the first hit of the ray through the centre of a pixel.
 
 use crate::probe::Silent;
 use crate::scene::Settings;
 use crate::world::World;
 
-/// What stands behind the middle of a pixel.
+/// The first hit of the ray through the centre of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Picked<'a> {
     /// The object's name.
@@ -17,10 +17,10 @@ pub struct Picked<'a> {
     pub t: f64,
 }
 
-/// The first thing that a ray from the eye through the middle of pixel (x, y) meets; `None` if it meets nothing.
+/// The first hit of the ray through the centre of pixel (x, y); `None` if it hits nothing.
 pub fn pick<'a>(world: &'a World, settings: &Settings, (x, y): (u32, u32)) -> Option<Picked<'a>> {
-    let middle = [f64::from(x) + 0.5, f64::from(y) + 0.5];
-    let ray = world.scene.camera.ray(middle, settings.size());
+    let centre = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+    let ray = world.scene.camera.ray(centre, settings.size());
     let hit = world.closest(&ray, 0.0, &mut Silent)?;
     Some(Picked {
         object: &world.scene.object_of(hit.primitive).name,

@@ -1,4 +1,4 @@
-//! The probe that writes everything down.
+//! The probe that records every event.
 
 use crate::probe::{Event, Probe};
 

@@ -27,7 +27,7 @@ pub struct RayTree {
 pub struct Sample {
     /// Its number.
     pub index: u32,
-    /// Its place on the film, in pixels from the top left corner.
+    /// Its position on the film, in pixels from the top left corner.
     pub film: [f64; 2],
     /// Its weight in the pixel's sum.
     pub weight: f64,
@@ -183,7 +183,7 @@ impl RayTree {
         })
     }
 
-    /// The events of the node itself, without those of the rays that it sent, with their places in the log.
+    /// The events of the node itself, without those of the rays that it sent, with their indices in the log.
     pub fn own_events(&self, id: u32) -> impl Iterator<Item = (usize, &Event)> + '_ {
         let node = self.node(id);
         let mut next = node.first_event as usize;

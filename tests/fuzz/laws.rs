@@ -8,7 +8,8 @@ use raytree::accel::AccelKind;
 use raytree::math::Rgb;
 use raytree::probe::Silent;
 use raytree::scene::{Scene, SceneError, load_held};
-use raytree::trace::{PixelTrace, RayTree, Recorder, View, diagram, explain, json, ledger, text};
+use raytree::trace::export::{Dot, Svg, Text};
+use raytree::trace::{PixelTrace, RayTree, Recorder, View, document, explain, ledger};
 use raytree::tracer::{Flow, pixel, render};
 use raytree::world::World;
 
@@ -283,14 +284,13 @@ fn picture(scene: &Scene, chance: usize) -> Result<(), Broken> {
 
 /// Every way to write a tree down ends well, and the JSON is JSON.
 fn written(view: View, chance: usize) -> Result<(), Broken> {
-    let document =
-        serde_json::to_string(&json::document(view)).map_err(|e| broken("json", e.to_string()))?;
-    serde_json::from_str::<serde_json::Value>(&document)
-        .map_err(|e| broken("json", e.to_string()))?;
+    let document = document::of(view);
+    let json = serde_json::to_string(&document).map_err(|e| broken("json", e.to_string()))?;
+    serde_json::from_str::<serde_json::Value>(&json).map_err(|e| broken("json", e.to_string()))?;
     let shown = match chance / 1024 % 3 {
-        0 => text::Text(view).to_string(),
-        1 => diagram::Dot(view).to_string(),
-        _ => diagram::Svg(view).to_string(),
+        0 => Text(&document).to_string(),
+        1 => Dot(&document).to_string(),
+        _ => Svg(&document).to_string(),
     };
     if shown.is_empty() {
         return Err(broken("written", "nothing is shown"));

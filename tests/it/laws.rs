@@ -15,7 +15,7 @@ use std::process::Command;
 
 use raytree::probe::Silent;
 use raytree::scene::{self, Settings};
-use raytree::trace::{View, json, trace_pixel};
+use raytree::trace::{View, document, trace_pixel};
 use raytree::tracer::{Film, Flow, render};
 use raytree::world::World;
 use serde_json::Value;
@@ -169,7 +169,7 @@ fn document(world: &World, settings: &Settings, at: (u32, u32)) -> Value {
         settings,
         trace: &trace,
     };
-    let text = serde_json::to_string(&json::document(view)).expect("writable");
+    let text = serde_json::to_string(&document::of(view)).expect("writable");
     serde_json::from_str(&text).expect("readable")
 }
 
@@ -276,7 +276,7 @@ fn the_command_writes_what_the_library_makes() {
 
 #[test]
 fn documents_are_valid_by_the_schema() {
-    let validator = jsonschema::validator_for(&json::schema()).expect("a schema");
+    let validator = jsonschema::validator_for(&document::schema()).expect("a schema");
     for (name, _) in scene::list() {
         let settings = Settings::default().with(|s| {
             s.image.width = 16;
@@ -290,7 +290,7 @@ fn documents_are_valid_by_the_schema() {
                 settings: &settings,
                 trace: &trace,
             };
-            let value = serde_json::to_value(json::document(view)).expect("writable");
+            let value = serde_json::to_value(document::of(view)).expect("writable");
             let errors: Vec<_> = validator
                 .iter_errors(&value)
                 .map(|e| e.to_string())

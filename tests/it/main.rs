@@ -15,6 +15,7 @@ mod bad_scenes;
 mod bsp_sah;
 mod cli;
 mod cost;
+mod document;
 mod effects;
 mod glass_slab;
 mod laws;

@@ -7,7 +7,7 @@ use raytree::math::{DVec3, Rgb};
 use raytree::probe::{Event, NONE, Probe, RayKind, RayRecord};
 use raytree::scene::{self, Settings};
 use raytree::trace::{
-    Cursor, PixelTrace, RayTree, Recorder, View, explain, json, ledger, trace_pixel,
+    Cursor, PixelTrace, RayTree, Recorder, View, document, explain, ledger, trace_pixel,
 };
 use raytree::world::World;
 
@@ -228,7 +228,7 @@ fn a_log_is_bounded_and_says_so() {
             settings: &settings,
             trace: &trace,
         };
-        let text = serde_json::to_string(&json::document(view)).expect("writable");
+        let text = serde_json::to_string(&document::of(view)).expect("writable");
         assert!(text.contains("\"truncated\":"), "{text}");
         // What is there can still be walked and explained.
         for index in 0..trace.tree.events.len() {

@@ -1,10 +1,8 @@
-//! Rays: why they were sent, and what they brought back.
+//! Rays: where they come from, and why they are sent.
 
 use super::Explanation;
-use crate::math::Rgb;
 use crate::probe::{Event, RayKind, RayRecord};
-use crate::trace::format::{degrees, num, rgb, vec3};
-use crate::trace::ledger::{self, Entry};
+use crate::trace::format::{degrees, num, vec3};
 use crate::trace::{SurfaceHit, View};
 
 /// A sample of the pixel begins.
@@ -97,10 +95,10 @@ fn reflected(view: View, node: u32) -> Explanation {
         "R: the reflected ray",
         "A mirror shows what a ray sees that leaves at the same angle on the other side of the normal.",
     );
-    let Some(arrival) = parent_hit(view, node) else {
+    let Some(surface) = parent_hit(view, node) else {
         return explanation;
     };
-    let (i, n) = (-arrival.at.to_viewer, arrival.at.normal);
+    let (i, n) = (-surface.at.to_viewer, surface.at.normal);
     explanation
         .row("I", vec3(i))
         .row("N", vec3(n))
@@ -121,13 +119,13 @@ fn transmitted(view: View, node: u32, sent: &RayRecord) -> Explanation {
         "T: the transmitted ray",
         "Light bends where its speed changes: towards the normal into the denser medium, away from it on the way out.",
     );
-    let Some(arrival) = parent_hit(view, node) else {
+    let Some(surface) = parent_hit(view, node) else {
         return explanation;
     };
     let Some((n1, n2)) = parent_boundary(view, node) else {
         return explanation;
     };
-    let (i, n) = (-arrival.at.to_viewer, arrival.at.normal);
+    let (i, n) = (-surface.at.to_viewer, surface.at.normal);
     let (eta, c) = (n1 / n2, -n.dot(i));
     let k = 1.0 - eta * eta * (1.0 - c * c);
     explanation
@@ -160,111 +158,4 @@ fn parent_boundary(view: View, node: u32) -> Option<(f64, f64)> {
         Event::Boundary { n1, n2, .. } => Some((*n1, *n2)),
         _ => None,
     })
-}
-
-/// A ray leaves the scene.
-pub fn miss(view: View) -> Explanation {
-    Explanation::new(
-        "miss",
-        "The ray hits nothing: what comes back is the background.",
-    )
-    .color("background", view.world.scene.background)
-}
-
-/// A shadow ray arrives.
-pub fn lit(view: View, node: u32) -> Explanation {
-    let sent = &view.trace.tree.node(node).ray;
-    Explanation::new(
-        "lit",
-        format!(
-            "Nothing stands before `{}`: its diffuse and specular terms count.",
-            view.light_name(sent.light)
-        ),
-    )
-    .row("distance", num(sent.t_max))
-}
-
-/// A shadow ray is stopped.
-pub fn blocked(view: View, node: u32) -> Explanation {
-    let sent = &view.trace.tree.node(node).ray;
-    let light = view.light_name(sent.light);
-    let Some(arrival) = view.surface_hit(node) else {
-        return Explanation::new("blocked", format!("Something stands before `{light}`."));
-    };
-    let note = if arrival.material.is_transmissive() {
-        " (it is transparent, but shadow rays are straight and do not refract, so it blocks as well)"
-    } else {
-        ""
-    };
-    let explanation = Explanation::new(
-        format!("blocked by `{}`", arrival.object.name),
-        format!(
-            "`{}` stands before `{light}`{note}: the point is in its shadow and the light adds nothing.",
-            arrival.object.name
-        ),
-    )
-    .row("t", format!("{} < {}, the distance to the light", num(arrival.hit.t), num(sent.t_max)))
-    .row("point", vec3(arrival.at.point));
-    self_hit(view, node, explanation)
-}
-
-/// Adds that a ray hit the surface that it had just left, if it did.
-pub fn self_hit(view: View, node: u32, explanation: Explanation) -> Explanation {
-    if !view.is_self_hit(node) {
-        return explanation;
-    }
-    explanation.row(
-        "self-hit",
-        format!(
-            "this is the surface that the ray has just left: rounding put its origin on the wrong side (offset {})",
-            view.settings.arithmetic.offset
-        ),
-    )
-}
-
-/// A ray is done: the ledger of its radiance.
-pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
-    let tree = &view.trace.tree;
-    let this = tree.node(node);
-    if this.ray.kind == RayKind::Light {
-        return Explanation::new(
-            "the shadow ray is done",
-            "Its answer is lit or blocked; the light's terms are added where it was sent.",
-        );
-    }
-    let mut explanation = Explanation::new(
-        format!("{} brings back its sum", this.ray.kind.letter()),
-        "The terms and the weighted rays, added in this order, are the radiance to the last bit.",
-    );
-    for bundle in view.light_estimates(node) {
-        let light = view.light_name(bundle.light);
-        let name = format!("+ {light}, {} samples", bundle.lit);
-        explanation = explanation.color(name, bundle.mean);
-    }
-    for entry in ledger::entries(tree, node) {
-        explanation = match entry {
-            Entry::Term { light, .. } if view.is_area(light.0) => explanation,
-            Entry::Term { term, light, value } => {
-                let light = view.light_name(light.0);
-                let space = if light.is_empty() { "" } else { " " };
-                explanation.color(format!("+ {}{space}{light}", term.name()), value)
-            }
-            Entry::Child {
-                kind,
-                weight,
-                radiance,
-                ..
-            } => explanation.color(format!("+ weight x {}", kind.letter()), weight * radiance),
-        };
-    }
-    explanation.color("radiance", radiance).row(
-        "in the pixel",
-        format!(
-            "{} x {} = {} ({:.1} % of its brightness)",
-            rgb(this.throughput),
-            rgb(radiance),
-            rgb(this.total()),
-            view.fraction(node) * 100.0
-        ),
-    )
 }

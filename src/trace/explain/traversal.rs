@@ -1,4 +1,4 @@
-//! The way through the acceleration structure.
+//! The traversal of the acceleration structure: nodes visited and primitives tested.
 
 use super::Explanation;
 use crate::geometry::{Arithmetic, Naive, Shape, Shear};

@@ -1,0 +1,57 @@
+//! A term of the shading equation with its factors.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::math::Rgb;
+use crate::probe::Term;
+
+/// A summand of a node's radiance: value = product of the factors that its kind names.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TermValue {
+    /// Which term.
+    pub term: Term,
+    /// The light that it comes from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light: Option<String>,
+    /// Of an area light, the sample that it comes from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sample: Option<u32>,
+    /// What it adds.
+    pub value: Rgb,
+    /// What it is the product of.
+    #[serde(flatten)]
+    pub factors: TermFactors,
+}
+
+/// The factors of a term, by name: those of its kind are there.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TermFactors {
+    /// Ambient: value = ka x ambient_light.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ka: Option<Rgb>,
+    /// Ia, the light that is everywhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ambient_light: Option<Rgb>,
+    /// Diffuse: value = kd x intensity x n_dot_l.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kd: Option<Rgb>,
+    /// Specular: value = ks x intensity x r_dot_v ^ shininess.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ks: Option<Rgb>,
+    /// What arrives from the light, attenuated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub intensity: Option<Rgb>,
+    /// The cosine between normal and light.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub n_dot_l: Option<f64>,
+    /// P of an area light whose samples all bring the same: intensity x n_dot_l = radiance x P / (pi x samples).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projected_solid_angle: Option<f64>,
+    /// The cosine between the mirrored light and the viewer, at least 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub r_dot_v: Option<f64>,
+    /// The exponent of the highlight.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shininess: Option<f64>,
+}

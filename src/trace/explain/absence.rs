@@ -1,0 +1,76 @@
+//! Rays that are not sent, and why.
+
+use super::Explanation;
+use crate::probe::{Absence, RayKind};
+use crate::trace::View;
+use crate::trace::format::{degrees, num};
+
+/// A ray is not sent.
+pub fn absent(view: View, node: u32, kind: RayKind, light: u32, reason: Absence) -> Explanation {
+    let what = match kind {
+        RayKind::Light => format!("no L ray to `{}`", view.light_name(light)),
+        _ => format!("no {} ray", kind.letter()),
+    };
+    let (name, value) = number(view, node, reason);
+    Explanation::new(what, sentence(reason)).row(name, value)
+}
+
+fn sentence(reason: Absence) -> &'static str {
+    match reason {
+        Absence::TotalInternalReflection { .. } => {
+            "The ray meets the boundary too flat: Snell's law has no answer, and all light is reflected."
+        }
+        Absence::NoReflection => "The material reflects nothing.",
+        Absence::NoTransmission => "Nothing passes through the material.",
+        Absence::NoLocalLight => {
+            "The material has neither a diffuse nor a specular coefficient, so lights do not matter."
+        }
+        Absence::FacingAway { .. } => "The light is behind the surface, which shades itself.",
+        Absence::OutsideCone { .. } => "The point lies outside the cone of the spot light.",
+        Absence::BelowSurface { .. } => {
+            "The blended normal leans so far that the ray would run through the surface it leaves."
+        }
+        Absence::MinWeight { .. } => "Whatever it would bring back could not be seen in the pixel.",
+        Absence::DepthLimit => {
+            "The depth limit ends the recursion here: what it would bring back is missing in the pixel."
+        }
+        Absence::EffectOff => {
+            "This effect was switched off: the picture is not that of the whole scene."
+        }
+        Absence::RayBudget => {
+            "The pixel has used up its share of the ray budget: the picture is cut short here."
+        }
+    }
+}
+
+/// The quantity that decided, by its name, and its value.
+fn number(view: View, node: u32, reason: Absence) -> (&'static str, String) {
+    let settings = view.settings;
+    let black = || "(0, 0, 0)".to_owned();
+    match reason {
+        Absence::TotalInternalReflection { k } => {
+            ("k", format!("1 - (n1/n2)^2 sin^2 = {} < 0", num(k)))
+        }
+        Absence::NoReflection => ("Wr", black()),
+        Absence::NoTransmission => ("Wt", black()),
+        Absence::NoLocalLight => ("Kd, Ks", black()),
+        Absence::FacingAway { n_dot_l } => ("N.L", format!("{} <= 0", num(n_dot_l))),
+        Absence::OutsideCone { cos_angle } => {
+            ("angle", format!("{} from the axis", degrees(cos_angle)))
+        }
+        Absence::BelowSurface { n_dot_r } => ("N.R", num(n_dot_r)),
+        Absence::MinWeight { weight } => {
+            let threshold = num(settings.recursion.min_weight);
+            (
+                "weight",
+                format!("{} < {threshold}, the threshold", num(weight)),
+            )
+        }
+        Absence::DepthLimit => {
+            let depth = view.trace.tree.node(node).ray.depth;
+            ("depth", format!("{depth} of {}", settings.recursion.depth))
+        }
+        Absence::EffectOff => ("effect", "off".to_owned()),
+        Absence::RayBudget => ("rays a pixel", settings.rays_per_pixel().to_string()),
+    }
+}

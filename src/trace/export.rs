@@ -1,0 +1,23 @@
+//! What a tree document is written as: JSON, text, a Graphviz diagram, a picture. Each is made of the document alone.
+
+mod dot;
+pub mod json;
+mod svg;
+mod text;
+mod tree_layout;
+pub mod xml;
+
+pub use dot::Dot;
+pub use svg::Svg;
+pub use text::Text;
+
+use super::document::Document;
+
+/// The title of a diagram.
+fn heading(document: &Document) -> String {
+    let (pixel, image) = (document.pixel, document.image);
+    format!(
+        "{}, pixel ({}, {}) of {} x {}",
+        document.scene.name, pixel.x, pixel.y, image.width, image.height
+    )
+}
