@@ -6,6 +6,7 @@
 //! Events carry decisions and ids, not derivations: what can be computed again from them with the tracer's own
 //! functions is not stored. They are plain `Copy` data of at most 96 bytes, so that a log of millions stays small.
 
+mod term;
 mod words;
 
 /// Parts of the program that builds for counting instructions leave out: what they cost others is what is counted.
@@ -26,6 +27,8 @@ macro_rules! tell {
     };
 }
 pub(crate) use tell;
+
+pub use term::{Factor, ProjectedShare, Term, TermKind};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -161,14 +164,12 @@ pub enum Event {
     Blocked(Hit),
     /// A term of the shading equation is added to the ray's radiance.
     Term {
-        /// Which term.
+        /// The term with its factors.
         term: Term,
         /// Of an area light, the number of the sample that it comes from.
         sample: u16,
         /// The light that it comes from, or [`NONE`].
         light: u32,
-        /// What is added.
-        value: Rgb,
     },
     /// An I, R or T ray goes straight through a surface: the medium behind it is the one before it.
     Passed {
@@ -283,23 +284,6 @@ pub enum Verdict {
     TooFar,
     /// Crossed behind the ray's origin.
     Behind,
-}
-
-/// The terms of the shading equation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, IntoStaticStr)]
-#[serde(rename_all = "kebab-case")]
-#[strum(serialize_all = "kebab-case")]
-pub enum Term {
-    /// What the surface sends out by itself.
-    Emission,
-    /// Ambient light, once a hit.
-    Ambient,
-    /// Kd I (N.L), once a light.
-    Diffuse,
-    /// Ks I (R.V)^n, once a light.
-    Specular,
-    /// What a ray brings back that hit nothing.
-    Background,
 }
 
 /// Why a ray was not sent, with the number that decided.

@@ -13,8 +13,8 @@ mod object;
 pub mod read;
 pub mod settings;
 
+pub use crate::shading::{Effect, Effects};
 pub use camera::Camera;
-pub use effects::{Effect, Effects};
 pub use flags::flags;
 pub use gallery::builtin;
 pub use gallery::procedural::list as generated;

@@ -1,16 +1,19 @@
 //! What a surface does with light.
 
 pub mod area;
+pub mod effects;
 pub mod interaction;
 pub mod light;
 pub mod material;
 pub mod optics;
-pub mod phong;
+pub mod point;
 pub mod projected;
 
 pub use area::Area;
+pub use effects::{Effect, Effects};
 pub use interaction::{Interaction, Side};
-pub use light::{Illumination, Light, Source};
+pub use light::{Light, LightKind, LightSample};
 pub use material::{Checker, Material};
 pub use optics::Fresnel;
+pub use point::{FresnelSplit, Secondary, ShadingPoint};
 pub use projected::Projected;

@@ -24,7 +24,7 @@ pub use cursor::Cursor;
 pub use document::Document;
 pub use explain::{Explanation, explain};
 pub use light_estimate::LightEstimate;
-pub use lighting::Lighting;
+
 pub use pick::{Picked, pick};
 pub use recorder::Recorder;
 pub use surface_hit::SurfaceHit;

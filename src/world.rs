@@ -1,22 +1,25 @@
-//! What can be traced: a scene and the acceleration structure over it; and the media that its rays travel in.
+//! World: a scene with the acceleration structure over it, and the media that its rays travel in.
 
 mod closed;
 mod contact;
 pub mod interface;
 pub mod medium;
+mod ray_budget;
 
 use crate::accel::{Accel, AccelKind, Watch, crossings::second};
 use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Probe, counting};
 use crate::scene::{Object, Scene};
-use contact::company;
+use contact::contacts;
 use medium::medium;
 
-pub use contact::Company;
-pub use medium::{Crossing, Entered};
+pub use contact::Contact;
+pub use interface::{Interface, NextHit};
+pub use medium::{Crossing, OpenMedia};
+pub use ray_budget::RayBudget;
 
-/// A scene and the acceleration structure over it: what can be traced.
+/// Scene and the acceleration structure over it: what can be traced.
 #[derive(Clone, Debug)]
 pub struct World {
     /// The scene.
@@ -25,17 +28,17 @@ pub struct World {
     pub accel: Accel,
     /// True if anything is transparent.
     has_media: bool,
-    /// What each object has to do with media.
-    company: Vec<Company>,
-    /// Which objects are transparent and bound no part of space: see [`Entered`].
+    /// How each object is in contact with media.
+    contacts: Vec<Contact>,
+    /// Which objects are transparent and bound no part of space: see [`OpenMedia`].
     open: Vec<bool>,
     /// Those of them that the eye is inside of.
-    pub around_eye: Entered,
+    pub around_eye: OpenMedia,
 }
 
-/// Room for crossings that is used again and again.
+/// Scratch for crossings that is used again and again.
 #[derive(Debug, Default)]
-pub struct Room {
+pub struct Scratch {
     hits: Vec<Hit>,
     crossings: Vec<Crossing>,
 }
@@ -46,7 +49,7 @@ impl World {
         Self::watched(scene, kind, &|_| ())
     }
 
-    /// The same under the eyes of somebody who waits for it.
+    /// Builds the acceleration structure, and reports its progress.
     pub fn watched(scene: Scene, kind: AccelKind, watch: Watch) -> Self {
         let accel = Accel::build_watched(kind, &scene.shapes, watch);
         let is_medium = |o: &Object| scene.materials[o.material as usize].is_transmissive();
@@ -54,14 +57,14 @@ impl World {
             .zip(&scene.objects)
             .map(|(i, o)| is_medium(o) && !closed::is_closed(scene.shapes_of(i)))
             .collect();
-        let company = company(&scene);
+        let contacts = contacts(&scene);
         let mut world = Self {
             scene,
             accel,
-            has_media: company.iter().any(|c| *c != Company::Away),
-            company,
+            has_media: contacts.iter().any(|c| *c != Contact::None),
+            contacts,
             open,
-            around_eye: Entered::NOTHING,
+            around_eye: OpenMedia::NOTHING,
         };
         world.around_eye = world.entered_by_eye();
         world
@@ -69,8 +72,8 @@ impl World {
 
     /// The open objects that the eye is inside of, as far as can be told: those that the straight line ahead leaves without
     /// having entered them. Outermost first, so those left last are put in first.
-    fn entered_by_eye(&self) -> Entered {
-        let mut around = Entered::NOTHING;
+    fn entered_by_eye(&self) -> OpenMedia {
+        let mut around = OpenMedia::NOTHING;
         if self.open.contains(&true) {
             let camera = &self.scene.camera;
             let line = Ray::new(camera.eye, -camera.frame.w);
@@ -91,13 +94,13 @@ impl World {
         self.open[object as usize]
     }
 
-    /// What has to be asked where a primitive is hit.
+    /// Contact with media of the object that a primitive belongs to.
     #[inline]
-    pub fn company(&self, primitive: u32) -> Company {
+    pub fn contact(&self, primitive: u32) -> Contact {
         if counting::REFRACTION && self.has_media {
-            self.company[self.scene.owners[primitive as usize] as usize]
+            self.contacts[self.scene.owners[primitive as usize] as usize]
         } else {
-            Company::Away
+            Contact::None
         }
     }
 
@@ -115,35 +118,40 @@ impl World {
 
     /// Every surface that a ray crosses inside an interval, by t.
     pub fn crossings(&self, ray: &Ray, interval: Interval) -> Vec<Crossing> {
-        let mut room = Room::default();
+        let mut scratch = Scratch::default();
         let shapes = &self.scene.shapes;
-        let hits = &mut room.hits;
+        let hits = &mut scratch.hits;
         self.accel.crossings_into(hits, shapes, ray, interval);
-        self.describe(ray, &mut room);
-        room.crossings
+        self.describe(ray, &mut scratch);
+        scratch.crossings
     }
 
     /// What a ray crosses from its closest `hit` on, as far as that object's media depend on it.
-    pub fn crossings_from<'r>(&self, ray: &Ray, hit: &Hit, room: &'r mut Room) -> &'r [Crossing] {
+    pub fn crossings_from<'r>(
+        &self,
+        ray: &Ray,
+        hit: &Hit,
+        scratch: &'r mut Scratch,
+    ) -> &'r [Crossing] {
         let interval = Interval::new(hit.t.next_down(), f64::INFINITY);
-        let (shapes, hits) = (&self.scene.shapes, &mut room.hits);
-        if self.company(hit.primitive) == Company::Alone {
+        let (shapes, hits) = (&self.scene.shapes, &mut scratch.hits);
+        if self.contact(hit.primitive) == Contact::Isolated {
             hits.clear();
             hits.push(*hit);
             hits.extend(second(shapes, ray, hit, interval));
         } else {
             self.accel.crossings_into(hits, shapes, ray, interval);
         }
-        self.describe(ray, room);
-        &room.crossings
+        self.describe(ray, scratch);
+        &scratch.crossings
     }
 
     /// What objects are crossed where, and whether the ray goes in or comes out.
-    fn describe(&self, ray: &Ray, room: &mut Room) {
+    fn describe(&self, ray: &Ray, scratch: &mut Scratch) {
         let scene = &self.scene;
         let shear = Shear::new(ray);
-        room.crossings.clear();
-        room.crossings.extend(room.hits.iter().map(|hit| {
+        scratch.crossings.clear();
+        scratch.crossings.extend(scratch.hits.iter().map(|hit| {
             let shape = &scene.shapes[hit.primitive as usize];
             let is_medium = scene.material_of(hit.primitive).is_transmissive();
             Crossing {
@@ -157,12 +165,12 @@ impl World {
     }
 
     /// The medium before `ahead`, the crossings that a ray is going to meet: an object, or [`NONE`] for air.
-    pub fn medium(&self, entered: &Entered, ahead: &[Crossing]) -> u32 {
+    pub fn medium(&self, entered: &OpenMedia, ahead: &[Crossing]) -> u32 {
         medium(entered, ahead, |object| self.scene.medium_priority(object))
     }
 
     /// The medium where `ray` starts: an object, or [`NONE`] for air.
-    pub fn medium_at_start(&self, ray: &Ray, entered: &Entered) -> u32 {
+    pub fn medium_at_start(&self, ray: &Ray, entered: &OpenMedia) -> u32 {
         if self.has_media {
             self.medium(entered, &self.crossings(ray, Interval::FORWARD))
         } else {

@@ -4,8 +4,9 @@ use super::effort::Effort;
 use super::robust;
 use crate::accel::AccelKind;
 use crate::math::{LightSampling, Sampler};
-use crate::scene::effects::{Effect, effects};
+use crate::scene::effects::effects;
 use crate::scene::{Adaptive, Pilot, Sampling, Settings, limits};
+use crate::shading::Effect;
 use crate::world::World;
 
 /// What is added to the seed of a reference, so that it shares no random number with what it judges.

@@ -2,14 +2,7 @@
 
 use strum::IntoDiscriminant;
 
-use super::{Absence, Choice, Term, Verdict};
-
-impl Term {
-    /// Its name in JSON.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-}
+use super::{Absence, Choice, Verdict};
 
 impl Absence {
     /// Its name in JSON.

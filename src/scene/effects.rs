@@ -5,91 +5,7 @@
 //! the bits.
 
 use super::Scene;
-use crate::math::Rgb;
-use crate::shading::Material;
-
-/// Something that light does and that can be left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effect {
-    /// Things stand between lights and surfaces.
-    Shadows,
-    /// Lights with an area are seen in part.
-    SoftShadows,
-    /// Highlights of lights: the specular term.
-    Highlights,
-    /// R rays.
-    Reflection,
-    /// T rays.
-    Refraction,
-}
-
-impl Effect {
-    /// All of them.
-    pub const ALL: [Self; 5] = [
-        Self::Shadows,
-        Self::SoftShadows,
-        Self::Highlights,
-        Self::Reflection,
-        Self::Refraction,
-    ];
-
-    /// The name that users write.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Shadows => "shadows",
-            Self::SoftShadows => "soft-shadows",
-            Self::Highlights => "highlights",
-            Self::Reflection => "reflection",
-            Self::Refraction => "refraction",
-        }
-    }
-
-    /// What is left out without it.
-    pub fn without(self) -> &'static str {
-        match self {
-            Self::Shadows => "no shadow rays: lights shine through everything",
-            Self::SoftShadows => "one shadow ray to the middle of each area light: hard shadows",
-            Self::Highlights => "no specular terms",
-            Self::Reflection => "no R rays",
-            Self::Refraction => "no T rays",
-        }
-    }
-}
-
-/// A set of effects.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effects(u8);
-
-impl Default for Effects {
-    fn default() -> Self {
-        Self::ALL
-    }
-}
-
-impl Effects {
-    /// None of them.
-    pub const NONE: Self = Self(0);
-    /// All of them.
-    pub const ALL: Self = Self((1 << Effect::ALL.len()) - 1);
-
-    /// True if `effect` is in the set.
-    #[inline]
-    pub fn has(self, effect: Effect) -> bool {
-        self.0 & (1 << effect as u8) != 0
-    }
-
-    /// The set and `effect`.
-    #[must_use]
-    pub fn with(self, effect: Effect) -> Self {
-        Self(self.0 | 1 << effect as u8)
-    }
-
-    /// The set without `effect`.
-    #[must_use]
-    pub fn without(self, effect: Effect) -> Self {
-        Self(self.0 & !(1 << effect as u8))
-    }
-}
+use crate::shading::{Effect, Effects, Material};
 
 /// Whether a scene calls for an effect, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -129,7 +45,7 @@ fn called_for(scene: &Scene, effect: Effect) -> Result<String, &'static str> {
     match effect {
         Effect::Shadows => {
             let light = scene.lights.first().ok_or("there are no lights")?;
-            let used = user_of(scene, Material::is_lit).ok_or("no material shows lights")?;
+            let used = user_of(scene, Material::shows_lights).ok_or("no material shows lights")?;
             let more = match scene.lights.len() - 1 {
                 0 => String::new(),
                 n => format!(" and {n} more"),
@@ -137,19 +53,18 @@ fn called_for(scene: &Scene, effect: Effect) -> Result<String, &'static str> {
             Ok(format!("light `{}`{more}; {used} shows it", light.name))
         }
         Effect::SoftShadows => {
-            let area = scene.lights.iter().find(|l| l.source.is_area());
+            let area = scene.lights.iter().find(|l| l.kind.is_area());
             let light = area.ok_or("no light has an area")?;
-            user_of(scene, Material::is_lit).ok_or("no material shows lights")?;
+            user_of(scene, Material::shows_lights).ok_or("no material shows lights")?;
             Ok(format!("light `{}` has an area", light.name))
         }
         Effect::Highlights => {
             if scene.lights.is_empty() {
                 return Err("there are no lights");
             }
-            user_of(scene, |m| !m.specular.is_black())
-                .ok_or("no material has a specular coefficient")
+            user_of(scene, Material::has_highlights).ok_or("no material has a specular coefficient")
         }
-        Effect::Reflection => user_of(scene, |m| !m.mirror.is_black() || m.is_transmissive())
+        Effect::Reflection => user_of(scene, Material::sends_rays)
             .ok_or("no material has a mirror or a transmission coefficient"),
         Effect::Refraction => user_of(scene, Material::is_transmissive)
             .ok_or("no material has a transmission coefficient"),
@@ -172,12 +87,4 @@ fn user_of(scene: &Scene, such: impl Fn(&Material) -> bool) -> Option<String> {
         "material `{}`{index} on `{}`",
         material.name, object.name
     ))
-}
-
-impl Material {
-    /// True if lights can be seen on it.
-    fn is_lit(&self) -> bool {
-        let checker = self.checker.as_ref().map_or(Rgb::BLACK, |c| c.diffuse);
-        !(self.diffuse.is_black() && self.specular.is_black() && checker.is_black())
-    }
 }

@@ -7,11 +7,11 @@ pub use light::AreaLightSampling;
 pub use pixel::{Adaptive, Pilot, PixelSampling, Sampling};
 
 use super::Scene;
-use super::effects::{Effect, Effects, effects};
+use super::effects::effects;
 use super::limits::DEFAULT_MAX_RAYS;
 use crate::accel::AccelKind;
 use crate::geometry::Arithmetic;
-use crate::shading::Fresnel;
+use crate::shading::{Effect, Effects, Fresnel};
 
 /// Settings of a render.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -11,11 +11,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::light::{Illumination, MAX_ATTENUATION};
+use super::light::{LightSample, MAX_ATTENUATION};
 use super::projected::Projected;
 use crate::geometry::{Aabb, Disc, Shape, Sphere, Triangle};
 use crate::math::rounding::{gamma, offset_origin};
 use crate::math::{DVec3, Frame, Rgb};
+use crate::probe::ProjectedShare;
 
 /// An area that shines from both sides, everywhere and in all directions alike.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,19 +128,19 @@ impl Area {
     /// and what arrives from there if nothing stands between, as a share of the mean. `None` if the light is seen from
     /// its edge there.
     #[inline]
-    pub fn sample(&self, point: DVec3, u: [f64; 2]) -> Option<Illumination> {
+    pub fn sample(&self, point: DVec3, u: [f64; 2]) -> Option<LightSample> {
         let chosen = self.point(point, u)?;
         let (direction, distance) = chosen.way_from(point, self.reach)?;
         let cos_angle = chosen.normal.dot(direction).abs();
         let squared = (point - chosen.at).length_squared();
         let attenuation = chosen.area * cos_angle / (PI * squared);
-        (cos_angle > 0.0 && attenuation <= MAX_ATTENUATION).then_some(Illumination {
+        (cos_angle > 0.0 && attenuation <= MAX_ATTENUATION).then_some(LightSample {
             direction,
             distance,
             attenuation,
             cos_angle,
             intensity: self.radiance * attenuation,
-            irradiance: None,
+            projected: None,
         })
     }
 
@@ -165,7 +166,7 @@ impl Area {
         (point, normal): (DVec3, DVec3),
         seen: &Projected,
         u: [f64; 2],
-    ) -> Option<Illumination> {
+    ) -> Option<LightSample> {
         let (corner, across) = match &self.form {
             Form::Parallelogram(whole) => (whole.corner, whole.normal),
             Form::Mesh(pieces) => {
@@ -185,13 +186,17 @@ impl Area {
         let (direction, distance) = chosen.way_from(point, self.reach)?;
         let n_dot_l = normal.dot(direction);
         let attenuation = seen.area / (PI * n_dot_l);
-        (t > 0.0 && n_dot_l > 0.0 && attenuation.is_finite()).then_some(Illumination {
+        (t > 0.0 && n_dot_l > 0.0 && attenuation.is_finite()).then_some(LightSample {
             direction,
             distance,
             attenuation,
             cos_angle: across.dot(direction).abs(),
             intensity: self.radiance * attenuation,
-            irradiance: Some(self.radiance * (seen.area / PI)),
+            projected: Some(ProjectedShare {
+                radiance: self.radiance,
+                solid_angle: seen.area,
+                share: 1.0,
+            }),
         })
     }
 

@@ -64,14 +64,14 @@ impl Interaction {
     }
 
     /// How far off the computed point the true surface may lie, along its normal.
-    pub fn reach(&self) -> f64 {
+    pub fn normal_error(&self) -> f64 {
         self.geometric_normal.abs().dot(self.error)
     }
 
     /// The same place with an error that reaches at least this far along the normal.
     #[must_use]
-    pub fn with_reach(mut self, reach: f64) -> Self {
-        let more = (reach - self.reach()).max(0.0);
+    pub fn with_normal_error(mut self, error: f64) -> Self {
+        let more = (error - self.normal_error()).max(0.0);
         // n is unit, so |n|.(more |n|) = more.
         self.error += more * self.geometric_normal.abs();
         self

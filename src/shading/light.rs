@@ -1,8 +1,8 @@
-//! Lights: those that shine from a point or along a direction, whose shadows are hard, and areas.
+//! Lights: point, directional and spot lights, whose shadows are hard, and area lights.
 
 use super::area::Area;
 use crate::math::{DVec3, Rgb};
-use crate::probe::counting;
+use crate::probe::{ProjectedShare, counting};
 
 /// The largest factor on a light's intensity: the inverse square law at the width of an atom is far below, and the sums that
 /// are made of what is above have no end.
@@ -14,12 +14,12 @@ pub struct Light {
     /// Its name.
     pub name: String,
     /// What it is.
-    pub source: Source,
+    pub kind: LightKind,
 }
 
 /// The kinds of light.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Source {
+pub enum LightKind {
     /// Shines from one point in all directions.
     Point {
         /// Where.
@@ -55,9 +55,9 @@ pub enum Source {
     Area(Area),
 }
 
-/// A light as one point sees it.
+/// Sample of a light at a point: what arrives there if nothing is in the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Illumination {
+pub struct LightSample {
     /// L: the unit vector from the point to the light.
     pub direction: DVec3,
     /// How far the light is; infinite for directional ones.
@@ -69,16 +69,15 @@ pub struct Illumination {
     /// What arrives if nothing stands in between: I x attenuation x fall-off, or Le x attenuation for an area; black
     /// outside a spot's cone.
     pub intensity: Rgb,
-    /// I (N.L), known without its factors where every sample of an area brings the same to a matt surface.
-    pub irradiance: Option<Rgb>,
+    /// Of an area light whose samples are chosen in proportion to what they bring, its share.
+    pub projected: Option<ProjectedShare>,
 }
 
-impl Source {
-    /// What arrives at `point`; of an area, from the place that `u` in [0, 1)^2 chooses. At the light's own position,
-    /// and at the edge of an area, there is no direction to it: `None`.
-    pub fn at(&self, point: DVec3, u: [f64; 2]) -> Option<Illumination> {
+impl LightKind {
+    /// Light that arrives at `point`. `None` at the light's own position, where it has no direction, and for area lights,
+    /// of which a point must be chosen first ([`Area::sample`]).
+    pub fn sample(&self, point: DVec3) -> Option<LightSample> {
         match *self {
-            Self::Area(ref area) if counting::AREAS => area.sample(point, u),
             Self::Area(_) => None,
             Self::Point {
                 position,
@@ -88,13 +87,13 @@ impl Source {
             Self::Directional {
                 direction,
                 intensity,
-            } => Some(Illumination {
+            } => Some(LightSample {
                 direction: -direction,
                 distance: f64::INFINITY,
                 attenuation: 1.0,
                 cos_angle: 1.0,
                 intensity,
-                irradiance: None,
+                projected: None,
             }),
             Self::Spot {
                 position,
@@ -111,7 +110,7 @@ impl Source {
                 } else {
                     libm::pow(cos_angle.max(0.0), exponent)
                 };
-                Some(Illumination {
+                Some(LightSample {
                     cos_angle,
                     intensity: light.intensity * falloff,
                     ..light
@@ -130,19 +129,19 @@ impl Source {
         intensity: Rgb,
         [a, b, c]: [f64; 3],
         point: DVec3,
-    ) -> Option<Illumination> {
+    ) -> Option<LightSample> {
         let to_light = position - point;
         let distance = to_light.length();
         let direction = to_light.try_normalize()?;
         let attenuation = 1.0 / (a + b * distance + c * distance * distance);
         // As near as that, light has no end.
-        (attenuation <= MAX_ATTENUATION).then_some(Illumination {
+        (attenuation <= MAX_ATTENUATION).then_some(LightSample {
             direction,
             distance,
             attenuation,
             cos_angle: 1.0,
             intensity: intensity * attenuation,
-            irradiance: None,
+            projected: None,
         })
     }
 
@@ -161,7 +160,7 @@ mod tests {
 
     #[test]
     fn a_spot_shines_into_its_cone_only() {
-        let spot = Source::Spot {
+        let spot = LightKind::Spot {
             position: DVec3::new(0.0, 2.0, 0.0),
             direction: DVec3::NEG_Y,
             intensity: Rgb::WHITE,
@@ -169,13 +168,13 @@ mod tests {
             cos_cutoff: 0.5,
             exponent: 1.0,
         };
-        let below = spot.at(DVec3::ZERO, [0.0; 2]).expect("not at the light");
+        let below = spot.sample(DVec3::ZERO).expect("not at the light");
         assert_eq!((below.distance, below.intensity), (2.0, Rgb::grey(0.25)));
         // 60 degrees and a little more from the axis.
         let outside = spot
-            .at(DVec3::new(3.5, 0.0, 0.0), [0.0; 2])
+            .sample(DVec3::new(3.5, 0.0, 0.0))
             .expect("not at the light");
         assert!(outside.intensity.is_black());
-        assert_eq!(spot.at(DVec3::new(0.0, 2.0, 0.0), [0.0; 2]), None);
+        assert_eq!(spot.sample(DVec3::new(0.0, 2.0, 0.0)), None);
     }
 }

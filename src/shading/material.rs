@@ -1,69 +1,101 @@
-//! The coefficients of the shading equation.
+//! Material: the coefficients of the shading equation.
+//!
+//! They are read in this layer only: [`super::ShadingPoint`] is a material at a hit point.
 
 use crate::math::{DVec2, Rgb};
 
-/// How a surface answers light, by the coefficients of Whitted's model (1980, "An improved illumination model for
-/// shaded display"). Coefficients are per channel, usually 0 to 1.
+/// Coefficients of Whitted's model (1980, "An improved illumination model for shaded display"), per channel, usually 0 to 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// Its name in the scene.
+    /// Name in the scene.
     pub name: String,
-    /// Ka: the share of the ambient light that comes back.
+    /// Ka: share of the ambient light that is reflected.
     pub ambient: Rgb,
-    /// Kd: Lambert's share of a light.
+    /// Kd: diffuse reflection of a light (Lambert).
     pub diffuse: Rgb,
-    /// Ks: the strength of a light's highlight.
+    /// Ks: strength of a light's highlight.
     pub specular: Rgb,
-    /// The exponent of the highlight: the larger, the smaller and sharper it is.
+    /// Exponent of the highlight: the larger, the smaller and sharper it is.
     pub shininess: f64,
-    /// Kr: the factor of the reflected ray.
+    /// Kr: factor of the reflected ray.
     pub mirror: Rgb,
-    /// Kt: the factor of the transmitted ray.
+    /// Kt: factor of the transmitted ray.
     pub transmission: Rgb,
-    /// The index of refraction of what is inside.
+    /// Index of refraction of the medium inside.
     pub ior: f64,
-    /// Where objects overlap, the inside is that of the highest priority.
+    /// Priority of the medium inside: where objects overlap, the highest decides.
     pub priority: i32,
     /// Radiance that the surface sends out by itself.
     pub emission: Rgb,
-    /// A second diffuse colour in the squares of a chessboard.
+    /// Second pair of colours in the squares of a chessboard.
     pub checker: Option<Checker>,
 }
 
-/// A chessboard over the surface coordinates (u, v).
+/// Chessboard over the surface coordinates (u, v).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checker {
-    /// Diffuse (and, scaled alike, ambient) colour of the other squares.
+    /// Kd of the other squares.
     pub diffuse: Rgb,
-    /// Ambient colour of the other squares.
+    /// Ka of the other squares.
     pub ambient: Rgb,
-    /// The edge of a square in units of u and v: metres on a plane.
+    /// Edge of a square in units of u and v: metres on a plane.
     pub size: f64,
 }
 
 impl Material {
-    /// Kd at surface coordinates `uv`.
-    pub fn diffuse_at(&self, uv: DVec2) -> Rgb {
-        self.checker_at(uv).map_or(self.diffuse, |c| c.diffuse)
+    /// Ka and Kd at surface coordinates `uv`.
+    #[inline]
+    pub(super) fn colors_at(&self, uv: DVec2) -> [Rgb; 2] {
+        match &self.checker {
+            Some(checker) if checker.covers(uv) => [checker.ambient, checker.diffuse],
+            _ => [self.ambient, self.diffuse],
+        }
     }
 
-    /// Ka at surface coordinates `uv`.
-    pub fn ambient_at(&self, uv: DVec2) -> Rgb {
-        self.checker_at(uv).map_or(self.ambient, |c| c.ambient)
-    }
-
-    /// The checker if `uv` lies in one of its squares.
-    fn checker_at(&self, uv: DVec2) -> Option<&Checker> {
-        self.checker.as_ref().filter(|c| {
-            let square = (uv / c.size).floor();
-            // Every second square along a row and a column: where half the sum is no whole number.
-            let half = 0.5 * (square.x + square.y);
-            half - half.floor() == 0.5
-        })
+    /// Wr = Kr + F Kt and Wt = (1 - F) Kt, where the share F of what would be let through is reflected.
+    #[inline]
+    pub fn fresnel_weights(&self, f: f64) -> [Rgb; 2] {
+        let Self {
+            mirror,
+            transmission,
+            ..
+        } = self;
+        [*mirror + *transmission * f, *transmission * (1.0 - f)]
     }
 
     /// True if rays pass through the surface, so that it bounds a medium.
     pub fn is_transmissive(&self) -> bool {
         !self.transmission.is_black()
+    }
+
+    /// True if secondary rays leave the surface.
+    pub fn sends_rays(&self) -> bool {
+        self.is_transmissive() || !self.mirror.is_black()
+    }
+
+    /// True if the surface sends out light by itself.
+    pub fn is_emissive(&self) -> bool {
+        !self.emission.is_black()
+    }
+
+    /// True if lights have highlights on it.
+    pub fn has_highlights(&self) -> bool {
+        !self.specular.is_black()
+    }
+
+    /// True if lights can be seen on it.
+    pub fn shows_lights(&self) -> bool {
+        let checker = self.checker.as_ref().map_or(Rgb::BLACK, |c| c.diffuse);
+        self.has_highlights() || !(self.diffuse.is_black() && checker.is_black())
+    }
+}
+
+impl Checker {
+    /// True if `uv` lies in one of the other squares: every second one along a row and a column, where half the sum of the
+    /// square's numbers is no whole number.
+    fn covers(&self, uv: DVec2) -> bool {
+        let square = (uv / self.size).floor();
+        let half = 0.5 * (square.x + square.y);
+        half - half.floor() == 0.5
     }
 }

@@ -97,8 +97,7 @@ pub fn explain(view: View, index: usize) -> Explanation {
             term,
             sample,
             light,
-            value,
-        } => term::term(view, node, term, (light, u32::from(sample)), value),
+        } => term::term(view, node, &term, (light, u32::from(sample))),
         Event::Passed { hit, medium } => surface::passed(view, node, &hit, medium),
         Event::Boundary {
             n1,

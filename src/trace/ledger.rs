@@ -18,8 +18,6 @@ pub enum Summand {
         term: Term,
         /// The light that it comes from, or [`crate::probe::NONE`].
         light: u32,
-        /// Its value.
-        value: Rgb,
     },
     /// What an R or T ray brought back.
     Child {
@@ -38,7 +36,7 @@ impl Summand {
     /// What it adds.
     pub fn value(&self) -> Rgb {
         match *self {
-            Self::Term { value, .. } => value,
+            Self::Term { term, .. } => term.value(),
             Self::Child {
                 weight, radiance, ..
             } => weight * radiance,
@@ -49,9 +47,7 @@ impl Summand {
 /// The summands of a node's radiance, in the order in which they were added.
 pub fn summands(tree: &RayTree, id: u32) -> Vec<Summand> {
     let terms = tree.own_events(id).filter_map(|(_, event)| match *event {
-        Event::Term {
-            term, light, value, ..
-        } => Some(Summand::Term { term, light, value }),
+        Event::Term { term, light, .. } => Some(Summand::Term { term, light }),
         _ => None,
     });
     let children = tree.children(id).filter_map(|node| {

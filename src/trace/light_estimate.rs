@@ -57,11 +57,10 @@ impl View<'_> {
                 Event::Term {
                     light: l,
                     sample,
-                    value,
-                    ..
+                    term,
                 } if *l == light => match brought.last_mut() {
-                    Some((last, sum)) if last == sample => *sum += *value,
-                    _ => brought.push((*sample, *value)),
+                    Some((last, sum)) if last == sample => *sum += term.value(),
+                    _ => brought.push((*sample, term.value())),
                 },
                 _ => {}
             }

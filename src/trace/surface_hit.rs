@@ -6,7 +6,6 @@ use crate::geometry::{Hit, Shape};
 use crate::math::Ray;
 use crate::scene::Object;
 use crate::shading::{Interaction, Material};
-use crate::world::interface;
 
 /// A solid that is met again after this part of the coordinates has not really been left.
 const CLOSE: f64 = 1e-6;
@@ -52,7 +51,7 @@ impl<'a> View<'a> {
         };
         let ray = Ray::new(node.ray.origin, node.ray.direction);
         let name = |object: u32| self.world.scene.objects[object as usize].name.as_str();
-        let objects = interface::touching(self.world, &ray, &hit);
+        let objects = self.world.touching(&ray, &hit);
         objects.into_iter().map(name).collect()
     }
 

@@ -142,7 +142,7 @@ impl RayTree {
                 Event::Miss => node.outcome = Some(Outcome::Miss),
                 Event::Lit => node.outcome = Some(Outcome::Lit),
                 Event::Blocked(hit) => node.outcome = Some(Outcome::Blocked(hit)),
-                Event::Term { value, .. } => node.own += value,
+                Event::Term { term, .. } => node.own += term.value(),
                 Event::Return { radiance } => {
                     node.radiance = radiance;
                     node.last_event = index;
@@ -211,9 +211,8 @@ impl RayTree {
                 Event::Term {
                     light,
                     sample,
-                    value,
-                    ..
-                } if (light, sample) == (node.ray.light, node.ray.sample) => Some(value),
+                    term,
+                } if (light, sample) == (node.ray.light, node.ray.sample) => Some(term.value()),
                 _ => None,
             });
         terms.fold(Rgb::BLACK, |sum, value| sum + value)

@@ -22,7 +22,7 @@ impl<'a> View<'a> {
     /// True if a light has an area, so that many rays are sent to it.
     pub fn is_area(self, light: u32) -> bool {
         let light = self.world.scene.lights.get(light as usize);
-        light.is_some_and(|l| l.source.is_area())
+        light.is_some_and(|l| l.kind.is_area())
     }
 
     /// The name of a light.

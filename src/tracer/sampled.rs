@@ -1,9 +1,9 @@
 //! A pixel that is being sampled.
 
-use super::foresight::Foreseen;
 use super::pixel::{Pixel, counted};
 use super::samples::{Place, Weights, place};
 use super::spread::Spread;
+use super::tile_batch::PixelBatch;
 use super::whitted::Tracer;
 use crate::math::{Ray, Rgb};
 use crate::probe::{Event, Probe, tell};
@@ -103,13 +103,15 @@ impl Sampled {
         &mut self,
         tracer: &mut Tracer<P>,
         (place, ray): (&Place, Ray),
-        foreseen: Option<Foreseen>,
+        prefetched: Option<PixelBatch>,
     ) {
-        (tracer.rays, tracer.spent) = (self.pixel.rays, self.pixel.spent);
-        tracer.cut = self.pixel.cut;
-        let brought = tracer.eye(place.asker, ray, foreseen);
-        (self.pixel.rays, self.pixel.spent) = (tracer.rays, tracer.spent);
-        self.pixel.cut = tracer.cut;
+        let rays = &mut tracer.rays;
+        (rays.sent, rays.used) = (self.pixel.rays, self.pixel.spent);
+        rays.truncated = self.pixel.cut;
+        let brought = tracer.camera_ray(place.asker, ray, prefetched);
+        let rays = tracer.rays;
+        (self.pixel.rays, self.pixel.spent) = (rays.sent, rays.used);
+        self.pixel.cut = rays.truncated;
         let index = self.pixel.samples;
         self.pixel.samples += 1;
         let radiance = counted(brought);

@@ -1,6 +1,6 @@
 //! The samples of a pixel: where each lies on the film, who asks for it, and how much it counts.
 
-use super::lights::Asker;
+use super::path_id::PathId;
 use crate::math::Sampler;
 use crate::math::points::Run;
 use crate::math::sampler::{Dimension, film_run};
@@ -18,7 +18,7 @@ pub struct Place {
     /// 1, or -1 where the filter is below 0.
     pub sign: f64,
     /// Who asks.
-    pub asker: Asker,
+    pub asker: PathId,
 }
 
 /// Sample number `index` of a pixel.
@@ -43,9 +43,9 @@ pub fn place(settings: &Settings, pixel: (u32, u32), index: u32) -> Place {
             f64::from(pixel.1) + 0.5 + radius * y,
         ],
         sign,
-        asker: Asker {
+        asker: PathId {
             path,
-            ..Asker::eye(pixel, index)
+            ..PathId::eye(pixel, index)
         },
     }
 }

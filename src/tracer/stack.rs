@@ -1,6 +1,6 @@
 //! Threads whose stacks hold the deepest recursion that the tracer allows.
 
-use super::whitted::MAX_DEPTH;
+use crate::scene::limits::MAX_DEPTH;
 
 /// Bytes for each level of recursion: several times what a level takes in an unoptimised build. Memory that is not
 /// touched is not used.

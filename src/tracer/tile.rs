@@ -2,9 +2,10 @@
 
 use super::around;
 use super::film::Film;
-use super::foresight::{Foresight, in_blocks};
+
 use super::pixel::{of_count, sampled};
 use super::sampled::Sampled;
+use super::tile_batch::{TileBatch, in_blocks};
 use super::whitted::Tracer;
 use crate::probe::{Probe, Silent};
 use crate::scene::Settings;
@@ -113,17 +114,17 @@ fn take<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [Sampled]) {
     if !world.accel.gains_from_bundles() {
         return pixels.iter_mut().for_each(|pixel| pixel.follow(tracer));
     }
-    let mut foresight = Foresight::default();
+    let mut batch = TileBatch::default();
     for sample in pixels.first().map_or(0, Sampled::samples).. {
         let open = pixels.iter_mut();
         let places = open.filter_map(|p| p.is_open(settings).then(|| p.at()));
-        if !foresight.ask(world, settings, places, sample) {
+        if !batch.trace(world, settings, places, sample) {
             break;
         }
         let open = pixels.iter_mut();
         let open = open.filter_map(|p| p.is_open(settings).then_some(p));
-        for (sampled, (place, ray, foreseen)) in open.zip(foresight.samples()) {
-            sampled.add(tracer, (place, ray), Some(foreseen));
+        for (sampled, (place, ray, prefetched)) in open.zip(batch.pixels()) {
+            sampled.add(tracer, (place, ray), Some(prefetched));
         }
     }
 }

@@ -66,7 +66,7 @@ pub fn sampled(settings: &Settings, samples: u32) -> Settings {
 /// True if anything in a pixel is left to chance.
 fn has_chance(world: &World, settings: &Settings) -> bool {
     let lights = &world.scene.lights;
-    let soft = lights.iter().any(|l| l.source.is_area());
+    let soft = lights.iter().any(|l| l.kind.is_area());
     settings.pixel.samples > 1
         || settings.pixel.adaptive.is_some()
         || (soft

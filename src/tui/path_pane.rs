@@ -157,7 +157,7 @@ impl Drawing<'_> {
             }
         }
         for light in &self.session.world.scene.lights {
-            if let Some(position) = light.source.position() {
+            if let Some(position) = light.kind.position() {
                 let style = theme::kind_style(RayKind::Light);
                 self.print(context, position, Span::styled("*", style));
             }

@@ -1,35 +1,34 @@
-//! What has to be asked at the surface of an object to know the media there: as little as the scene allows.
+//! Contact of an object with media: what has to be asked at its surface to know the media there, as little as the scene allows.
 
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 use crate::scene::Scene;
-use crate::shading::Material;
 
-/// What an object has to do with media.
+/// Contact of an object with media.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Company {
+pub enum Contact {
     /// Nothing: it is opaque, and no mirror that touches something transparent.
-    Away,
+    None,
     /// It is a transparent solid near nothing else: only its own surface matters.
-    Alone,
+    Isolated,
     /// Other surfaces may be crossed together with its own, or be around it or inside it.
-    Among,
+    Touching,
 }
 
 /// Boxes that are compared at most; with more, nobody is found to be alone.
 const MOST_PAIRS: usize = 1 << 24;
 
-/// The company of each object. Rather too much than too little: boxes stand for objects, and are grown by far more than
+/// Contact of each object. Rather too much than too little: boxes stand for objects, and are grown by far more than
 /// rounding could move a surface.
-pub fn company(scene: &Scene) -> Vec<Company> {
+pub fn contacts(scene: &Scene) -> Vec<Contact> {
     let count = scene.objects.len();
     let material = |o: usize| &scene.materials[scene.objects[o].material as usize];
     let media: Vec<usize> = (0..count)
         .filter(|o| material(*o).is_transmissive())
         .collect();
-    let asked = (0..count).filter(|o| goes_on(material(*o))).count();
+    let asked = (0..count).filter(|o| material(*o).sends_rays()).count();
     if media.is_empty() {
-        return vec![Company::Away; count];
+        return vec![Contact::None; count];
     }
     let in_doubt = asked.saturating_mul(count) > MOST_PAIRS;
     let extents: Vec<Extent> = (0..count as u32)
@@ -40,26 +39,21 @@ pub fn company(scene: &Scene) -> Vec<Company> {
             let near = |other: &usize| *other != o && extents[o].meets(&extents[*other]);
             let single = scene.shapes_of(o as u32).len() == 1;
             match material(o) {
-                m if !goes_on(m) => Company::Away,
-                _ if in_doubt => Company::Among,
+                m if !m.sends_rays() => Contact::None,
+                _ if in_doubt => Contact::Touching,
                 m if m.is_transmissive() => {
                     let solid = single && scene.shapes_of(o as u32)[0].is_solid();
                     if solid && !(0..count).any(|other| near(&other)) {
-                        Company::Alone
+                        Contact::Isolated
                     } else {
-                        Company::Among
+                        Contact::Touching
                     }
                 }
-                _ if media.iter().any(near) => Company::Among,
-                _ => Company::Away,
+                _ if media.iter().any(near) => Contact::Touching,
+                _ => Contact::None,
             }
         })
         .collect()
-}
-
-/// True if rays go on from the surface.
-fn goes_on(material: &Material) -> bool {
-    material.is_transmissive() || !material.mirror.is_black()
 }
 
 /// The part of space that an object is in.
@@ -113,8 +107,8 @@ fn grown(shape: &Shape) -> Option<Aabb> {
 mod tests {
     use super::*;
 
-    /// The company of the objects of a scene of glass (g), mirror (m) and chalk balls of radius 1, along the x axis.
-    fn company_of(balls: &[(&str, f64)]) -> Vec<Company> {
+    /// The contact of the objects of a scene of glass (g), mirror (m) and chalk balls of radius 1, along the x axis.
+    fn contacts_of(balls: &[(&str, f64)]) -> Vec<Contact> {
         let objects: Vec<String> = balls
             .iter()
             .enumerate()
@@ -133,20 +127,32 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("scene.json");
         std::fs::write(&path, text).expect("it can be written");
-        company(&crate::scene::load(path.to_str().expect("a plain path")).expect("a scene"))
+        contacts(&crate::scene::load(path.to_str().expect("a plain path")).expect("a scene"))
     }
 
     #[test]
-    fn what_touches_a_medium_has_company() {
-        use Company::{Alone, Among, Away};
-        assert_eq!(company_of(&[("chalk", 0.0), ("mirror", 0.0)]), [Away; 2]);
-        assert_eq!(company_of(&[("glass", 0.0), ("chalk", 3.0)]), [Alone, Away]);
+    fn what_touches_a_medium_is_in_contact() {
+        use Contact::{Isolated, None, Touching};
+        assert_eq!(contacts_of(&[("chalk", 0.0), ("mirror", 0.0)]), [None; 2]);
         assert_eq!(
-            company_of(&[("glass", 0.0), ("mirror", 3.0)]),
-            [Alone, Away]
+            contacts_of(&[("glass", 0.0), ("chalk", 3.0)]),
+            [Isolated, None]
         );
-        assert_eq!(company_of(&[("glass", 0.0), ("mirror", 2.0)]), [Among; 2]);
-        assert_eq!(company_of(&[("glass", 0.0), ("chalk", 2.0)]), [Among, Away]);
-        assert_eq!(company_of(&[("glass", 0.0), ("glass", 0.5)]), [Among; 2]);
+        assert_eq!(
+            contacts_of(&[("glass", 0.0), ("mirror", 3.0)]),
+            [Isolated, None]
+        );
+        assert_eq!(
+            contacts_of(&[("glass", 0.0), ("mirror", 2.0)]),
+            [Touching; 2]
+        );
+        assert_eq!(
+            contacts_of(&[("glass", 0.0), ("chalk", 2.0)]),
+            [Touching, None]
+        );
+        assert_eq!(
+            contacts_of(&[("glass", 0.0), ("glass", 0.5)]),
+            [Touching; 2]
+        );
     }
 }

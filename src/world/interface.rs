@@ -1,129 +1,209 @@
-//! What changes where a ray crosses transparent surfaces: the medium, or nothing at all.
+//! Interface: the next surface of a ray where light changes, an opaque one or the boundary of two media.
 //!
 //! Surfaces that rounding cannot tell apart are crossed as one. So water that ends exactly where its glass begins has one
-//! boundary, from water to glass, and no film of air in between that would mirror like silver.
+//! interface, from water to glass, and no film of air in between that would mirror like silver. A surface with the same medium
+//! on both sides changes nothing and is passed.
 
 use std::cmp::Reverse;
 
+use super::medium::{Crossing, OpenMedia};
+use super::{Contact, RayBudget, Scratch, World};
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
+use crate::probe::{Event, Probe, tell};
 use crate::shading::Interaction;
-use crate::world::medium::{Crossing, Entered};
-use crate::world::{Room, World};
 
-/// What a ray crosses at one place.
+/// Next hit of a ray where light changes.
 #[derive(Clone, Copy, Debug)]
-pub struct Boundary {
-    /// The surface that counts: an opaque one, if there is, then that of the highest priority, then of the smallest id.
+pub struct NextHit {
+    /// The hit.
     pub hit: Hit,
-    /// The place on it. Its error covers all surfaces that are crossed, so rays that leave it are clear of all.
+    /// Its point.
     pub at: Interaction,
-    /// What changes.
-    pub change: Change,
-    /// Where the last of the surfaces is crossed.
-    pub end: f64,
-    /// True if there are many surfaces, and some of them are transparent.
-    pub many: bool,
+    /// The media, if the surface is transparent.
+    pub interface: Option<Interface>,
+    /// True if it is the closest hit of the ray as it was found, and nothing touches it.
+    pub is_first: bool,
 }
 
-/// What changes where a ray goes through.
+/// Media on both sides of a transparent surface.
 #[derive(Clone, Copy, Debug)]
-pub struct Change {
-    /// The media before and behind, as objects or [`crate::probe::NONE`].
+pub struct Interface {
+    /// Before and behind, as objects or [`crate::probe::NONE`].
     pub media: [u32; 2],
+    /// Indices of refraction, likewise.
+    pub ior: [f64; 2],
     /// The open objects that a ray is inside of behind.
-    pub entered: Entered,
+    pub beyond: OpenMedia,
 }
 
-impl Boundary {
-    /// What `ray`, which is inside the open objects `entered`, crosses at its closest `hit`, the place `at`.
-    pub fn new(
-        world: &World,
-        entered: Entered,
+/// What a ray crosses at one point.
+struct Crossed {
+    /// The surface that counts: an opaque one if there is one, then that of the highest priority, then of the smallest id.
+    surface: NextHit,
+    /// t of the last surface that is crossed.
+    end: f64,
+    media: [u32; 2],
+    beyond: OpenMedia,
+}
+
+impl World {
+    /// Next interface of a ray that is inside the open objects `media`, from its closest hit on; `None` if it leaves the scene.
+    ///
+    /// Surfaces that change nothing are passed and told of; each costs as much as a ray and counts as one.
+    #[inline]
+    pub fn next_interface<P: Probe>(
+        &self,
         ray: &Ray,
         (hit, at): (&Hit, &Interaction),
-        room: &mut Room,
-    ) -> Self {
-        let ahead = world.crossings_from(ray, hit, room);
-        let (crossed, beyond) = ahead.split_at(together(world, ray, ahead, hit, at));
-        let after = crossed
+        media: &mut OpenMedia,
+        rays: &mut RayBudget,
+        scratch: &mut Scratch,
+        probe: &mut P,
+    ) -> Option<NextHit> {
+        let closest = NextHit {
+            hit: *hit,
+            at: *at,
+            interface: None,
+            is_first: true,
+        };
+        if self.contact(hit.primitive) == Contact::None {
+            return Some(closest);
+        }
+        self.interface_from(ray, closest, media, rays, scratch, probe)
+    }
+
+    /// Next interface where media are involved. (Never inlined, so that scenes without media pay nothing for it.)
+    #[inline(never)]
+    fn interface_from<P: Probe>(
+        &self,
+        ray: &Ray,
+        mut surface: NextHit,
+        media: &mut OpenMedia,
+        rays: &mut RayBudget,
+        scratch: &mut Scratch,
+        probe: &mut P,
+    ) -> Option<NextHit> {
+        while self.contact(surface.hit.primitive) != Contact::None {
+            let crossed = self.cross(ray, &surface, *media, scratch);
+            surface = crossed.surface;
+            if !self.is_transmissive(surface.hit.primitive) {
+                break;
+            }
+            let [before, behind] = crossed.media;
+            if before != behind || rays.is_spent() {
+                surface.interface = Some(Interface {
+                    media: crossed.media,
+                    ior: crossed.media.map(|medium| self.scene.medium_ior(medium)),
+                    beyond: crossed.beyond,
+                });
+                break;
+            }
+            let hit = surface.hit;
+            tell!(
+                probe,
+                Event::Passed {
+                    hit,
+                    medium: before
+                }
+            );
+            rays.ray();
+            *media = crossed.beyond;
+            surface.hit = self.closest(ray, crossed.end, probe)?;
+            surface.at = self.scene.interaction(ray, &surface.hit);
+            surface.is_first = false;
+        }
+        Some(surface)
+    }
+
+    /// What `ray` crosses at its closest `surface`, together with all that touches it.
+    fn cross(
+        &self,
+        ray: &Ray,
+        surface: &NextHit,
+        media: OpenMedia,
+        scratch: &mut Scratch,
+    ) -> Crossed {
+        let (hit, at) = (&surface.hit, &surface.at);
+        let ahead = self.crossings_from(ray, hit, scratch);
+        let (crossed, rest) = ahead.split_at(self.coincident(ray, ahead, hit, at));
+        let beyond = crossed
             .iter()
-            .fold(entered, |inside, crossing| match crossing.enters {
-                Some(true) if world.is_open(crossing.object) => inside.and(crossing.object),
+            .fold(media, |inside, crossing| match crossing.enters {
+                Some(true) if self.is_open(crossing.object) => inside.and(crossing.object),
                 Some(false) => inside.without(crossing.object),
                 _ => inside,
             });
-        let is_medium = |c: &Crossing| world.scene.material_of(c.hit.primitive).is_transmissive();
-        let many = crossed.len() > 1 && crossed.iter().any(is_medium);
-        let boundary = Self {
-            hit: *hit,
-            at: *at,
-            change: Change {
-                media: [world.medium(&entered, ahead), world.medium(&after, beyond)],
-                entered: after,
-            },
+        let is_medium = |c: &Crossing| self.is_transmissive(c.hit.primitive);
+        let mut surface = *surface;
+        if crossed.len() > 1 && crossed.iter().any(is_medium) {
+            self.move_to_highest_priority(ray, crossed, &mut surface);
+        }
+        Crossed {
+            surface,
             end: crossed.last().map_or(hit.t, |last| last.hit.t),
-            many,
-        };
-        if many {
-            boundary.at_what_counts(world, ray, crossed)
-        } else {
-            boundary
+            media: [self.medium(&media, ahead), self.medium(&beyond, rest)],
+            beyond,
         }
     }
 
-    /// Moves to the surface that counts, of many.
-    fn at_what_counts(mut self, world: &World, ray: &Ray, crossed: &[Crossing]) -> Self {
-        let scene = &world.scene;
+    /// Moves to the surface that counts, of many. The error of its point covers all of them, so that rays that leave it are
+    /// clear of all.
+    fn move_to_highest_priority(&self, ray: &Ray, crossed: &[Crossing], surface: &mut NextHit) {
+        let scene = &self.scene;
         let rank = |crossing: &&Crossing| {
-            let opaque = !scene.material_of(crossing.hit.primitive).is_transmissive();
+            let opaque = !self.is_transmissive(crossing.hit.primitive);
             let priority = scene.medium_priority(crossing.object);
             (opaque, priority, Reverse(crossing.hit.primitive))
         };
         // Of equal ones the first.
         if let Some(first) = crossed.iter().rev().max_by_key(rank) {
-            self.hit = first.hit;
-            self.at = scene.interaction(ray, &self.hit);
+            surface.hit = first.hit;
+            surface.at = scene.interaction(ray, &surface.hit);
         }
-        let cos = self.at.geometric_normal.dot(self.at.to_viewer);
-        let reach = crossed.iter().map(|crossing| {
-            let gap = (crossing.hit.t - self.hit.t).abs() * cos;
-            gap + scene.interaction(ray, &crossing.hit).reach()
+        let cos = surface.at.geometric_normal.dot(surface.at.to_viewer);
+        let errors = crossed.iter().map(|crossing| {
+            let gap = (crossing.hit.t - surface.hit.t).abs() * cos;
+            gap + scene.interaction(ray, &crossing.hit).normal_error()
         });
-        let furthest = reach.fold(0.0, f64::max);
-        self.at = self.at.with_reach(furthest);
-        self
+        let largest = errors.fold(0.0, f64::max);
+        surface.at = surface.at.with_normal_error(largest);
+        surface.is_first = false;
+    }
+
+    /// Number of the crossings `ahead`, the first of which is `hit`, that are crossed as one with it.
+    fn coincident(&self, ray: &Ray, ahead: &[Crossing], hit: &Hit, at: &Interaction) -> usize {
+        let touches = |crossing: &&Crossing| {
+            let other = self.scene.interaction(ray, &crossing.hit);
+            touch((hit.t, at), (crossing.hit.t, &other))
+        };
+        (1 + ahead.iter().skip(1).take_while(touches).count()).min(ahead.len())
+    }
+
+    /// Other objects whose surfaces touch that of `hit` where `ray` meets it, for explanations.
+    pub fn touching(&self, ray: &Ray, hit: &Hit) -> Vec<u32> {
+        let at = self.scene.interaction(ray, hit);
+        let own = self.scene.owners[hit.primitive as usize];
+        let mut objects = Vec::new();
+        for crossing in self.crossings(ray, Interval::FORWARD) {
+            let other = self.scene.interaction(ray, &crossing.hit);
+            let new = crossing.object != own && !objects.contains(&crossing.object);
+            if new && touch((hit.t, &at), (crossing.hit.t, &other)) {
+                objects.push(crossing.object);
+            }
+        }
+        objects
+    }
+
+    fn is_transmissive(&self, primitive: u32) -> bool {
+        self.scene.material_of(primitive).is_transmissive()
     }
 }
 
-/// How many of the crossings `ahead`, the first of which is `hit`, are crossed as one with it.
-fn together(world: &World, ray: &Ray, ahead: &[Crossing], hit: &Hit, at: &Interaction) -> usize {
-    let touches = |crossing: &&Crossing| {
-        let other = world.scene.interaction(ray, &crossing.hit);
-        touch((hit.t, at), (crossing.hit.t, &other))
-    };
-    (1 + ahead.iter().skip(1).take_while(touches).count()).min(ahead.len())
-}
-
-/// True if two places on a ray cannot be told apart: their distance, measured at right angles to the steeper of the two
+/// True if two points on a ray cannot be told apart: their distance, measured at right angles to the steeper of the two
 /// surfaces, is within the errors of both.
 fn touch((t, at): (f64, &Interaction), (u, other): (f64, &Interaction)) -> bool {
     let steepness = |at: &Interaction| at.geometric_normal.dot(at.to_viewer);
     let gap = (u - t).abs() * steepness(at).max(steepness(other));
-    gap <= at.reach() + other.reach()
-}
-
-/// For explanations: the other objects whose surfaces touch that of `hit` where `ray` met it.
-pub fn touching(world: &World, ray: &Ray, hit: &Hit) -> Vec<u32> {
-    let at = world.scene.interaction(ray, hit);
-    let own = world.scene.owners[hit.primitive as usize];
-    let mut objects = Vec::new();
-    for crossing in world.crossings(ray, Interval::FORWARD) {
-        let other = world.scene.interaction(ray, &crossing.hit);
-        let new = crossing.object != own && !objects.contains(&crossing.object);
-        if new && touch((hit.t, &at), (crossing.hit.t, &other)) {
-            objects.push(crossing.object);
-        }
-    }
-    objects
+    gap <= at.normal_error() + other.normal_error()
 }

@@ -6,7 +6,7 @@
 //! the innermost.* Source of the second: Schmidt and Budge 2002, "Simple nested dielectrics in ray traced images".
 //!
 //! A surface that bounds no part of space, as a square for a pool's, cannot be read off in this way: a ray is inside
-//! because it came in through the front. Only these are kept in mind, in [`Entered`].
+//! because it came in through the front. Only these are kept in mind, in [`OpenMedia`].
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,7 @@ pub struct Crossing {
 
 /// The object in whose medium a ray travels that is going to meet the crossings `ahead`, in order, and came into the open
 /// objects `entered`; [`NONE`] for air. `priority` tells that of an object.
-pub fn medium(entered: &Entered, ahead: &[Crossing], priority: impl Fn(u32) -> i32) -> u32 {
+pub fn medium(entered: &OpenMedia, ahead: &[Crossing], priority: impl Fn(u32) -> i32) -> u32 {
     let mut best = NONE;
     let mut inside = |object: u32| {
         if best == NONE || priority(object) > priority(best) {
@@ -55,12 +55,12 @@ pub fn medium(entered: &Entered, ahead: &[Crossing], priority: impl Fn(u32) -> i
 /// The open objects that a ray came into by the front and did not leave, outermost first, by index. Plain data, so that the
 /// reflected and the transmitted ray each carry their own copy without allocation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Entered {
+pub struct OpenMedia {
     objects: [u32; NESTING],
     depth: usize,
 }
 
-impl Entered {
+impl OpenMedia {
     /// None.
     pub const NOTHING: Self = Self {
         objects: [NONE; NESTING],
@@ -117,7 +117,7 @@ mod tests {
             .collect();
         let entered = entered
             .iter()
-            .fold(Entered::NOTHING, |open, &object| open.and(object));
+            .fold(OpenMedia::NOTHING, |open, &object| open.and(object));
         medium(&entered, &ahead, |object| i32::from(object >= 5))
     }
 
@@ -147,13 +147,13 @@ mod tests {
 
     #[test]
     fn what_is_entered_can_be_left_in_any_order() {
-        let inside = Entered::NOTHING.and(7).and(3).and(5);
-        let list = |e: Entered| e.innermost_first().collect::<Vec<_>>();
+        let inside = OpenMedia::NOTHING.and(7).and(3).and(5);
+        let list = |e: OpenMedia| e.innermost_first().collect::<Vec<_>>();
         assert_eq!(list(inside.without(3)), [5, 7]);
         assert_eq!(list(inside.without(5).without(9)), [3, 7]);
         let nothing = inside.without(5).without(3).without(7);
-        assert_eq!(nothing, Entered::NOTHING);
-        let deep = (0..100).fold(Entered::NOTHING, Entered::and);
-        assert_eq!((0..100).fold(deep, Entered::without), Entered::NOTHING);
+        assert_eq!(nothing, OpenMedia::NOTHING);
+        let deep = (0..100).fold(OpenMedia::NOTHING, OpenMedia::and);
+        assert_eq!((0..100).fold(deep, OpenMedia::without), OpenMedia::NOTHING);
     }
 }

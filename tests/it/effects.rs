@@ -3,11 +3,10 @@
 use proptest::prelude::*;
 use raytree::math::Rgb;
 use raytree::probe::Silent;
-use raytree::scene::effects::Effect::{
-    self, Highlights, Reflection, Refraction, Shadows, SoftShadows,
-};
-use raytree::scene::effects::{Effects, effects, findings};
+use raytree::scene::effects::{effects, findings};
 use raytree::scene::{self, Scene, Settings};
+use raytree::shading::Effect::{self, Highlights, Reflection, Refraction, Shadows, SoftShadows};
+use raytree::shading::Effects;
 use raytree::trace::Counts;
 use raytree::tracer::{Flow, render};
 use raytree::world::World;

@@ -186,7 +186,7 @@ fn check_scene(name: &str, width: u32, height: u32, samples: u32, step: u32) -> 
     let film = film(&world, &settings);
     let lights = world.scene.lights.iter();
     let asked = lights
-        .map(|light| if light.source.is_area() { 16 } else { 1 })
+        .map(|light| if light.kind.is_area() { 16 } else { 1 })
         .sum();
     let mut met = Met::default();
     for index in (0..width * height).step_by(step as usize) {

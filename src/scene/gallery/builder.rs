@@ -3,7 +3,7 @@
 use crate::geometry::{Shape, Triangle};
 use crate::math::{DVec3, Rgb};
 use crate::scene::{Camera, Object, Scene, Settings, VertexData};
-use crate::shading::{Light, Material, Source};
+use crate::shading::{Light, LightKind, Material};
 
 /// A scene in the making: an object is begun, then its shapes are put in.
 pub struct SceneBuilder {
@@ -39,7 +39,7 @@ impl SceneBuilder {
     pub fn light(&mut self, position: DVec3, intensity: Rgb) {
         self.scene.lights.push(Light {
             name: format!("light {}", self.scene.lights.len() + 1),
-            source: Source::Point {
+            kind: LightKind::Point {
                 position,
                 intensity,
                 attenuation: [1.0, 0.0, 0.0],

@@ -99,7 +99,7 @@ fn ray_node(view: View, id: u32, children: Vec<RayNode>) -> RayNode {
         traversal: Vec::new(),
     };
     for (_, event) in tree.own_events(id) {
-        add_event(view, &mut node, hit.as_ref(), event);
+        add_event(view, &mut node, event);
     }
     let estimates = view.light_estimates(id);
     node.bundles = estimates.iter().map(|e| light_summary(view, e)).collect();
@@ -107,22 +107,19 @@ fn ray_node(view: View, id: u32, children: Vec<RayNode>) -> RayNode {
 }
 
 /// Adds what an event of a ray says to its node.
-fn add_event(view: View, node: &mut RayNode, hit: Option<&SurfaceHit>, event: &Event) {
+fn add_event(view: View, node: &mut RayNode, event: &Event) {
     let scene = &view.world.scene;
     match *event {
         Event::Term {
             term,
             sample,
             light,
-            value,
         } => node.terms.push(TermValue {
-            term,
+            term: term.kind(),
             light: light_name(view, light),
             sample: sample_number(view, light, sample),
-            value,
-            factors: hit.map_or_else(Default::default, |hit| {
-                view.factors(node.id, hit, term, (light, u32::from(sample)))
-            }),
+            value: term.value(),
+            factors: (&term).into(),
         }),
         Event::Absent {
             kind,

@@ -4,13 +4,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::math::Rgb;
-use crate::probe::Term;
+use crate::probe::{Factor, Term, TermKind};
 
 /// A summand of a node's radiance: value = product of the factors that its kind names.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TermValue {
     /// Which term.
-    pub term: Term,
+    pub term: TermKind,
     /// The light that it comes from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub light: Option<String>,
@@ -54,4 +54,27 @@ pub struct TermFactors {
     /// The exponent of the highlight.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shininess: Option<f64>,
+}
+
+impl From<&Term> for TermFactors {
+    fn from(term: &Term) -> Self {
+        let mut named = Self::default();
+        for factor in term.factors() {
+            match factor {
+                ("ka", Factor::Color(c)) => named.ka = Some(c),
+                ("ambient_light", Factor::Color(c)) => named.ambient_light = Some(c),
+                ("kd", Factor::Color(c)) => named.kd = Some(c),
+                ("ks", Factor::Color(c)) => named.ks = Some(c),
+                ("intensity", Factor::Color(c)) => named.intensity = Some(c),
+                ("n_dot_l", Factor::Number(x)) => named.n_dot_l = Some(x),
+                ("projected_solid_angle", Factor::Number(x)) => {
+                    named.projected_solid_angle = Some(x)
+                }
+                ("r_dot_v", Factor::Number(x)) => named.r_dot_v = Some(x),
+                ("shininess", Factor::Number(x)) => named.shininess = Some(x),
+                _ => {}
+            }
+        }
+        named
+    }
 }

@@ -89,10 +89,10 @@ pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
     for summand in ledger::summands(tree, node) {
         explanation = match summand {
             Summand::Term { light, .. } if view.is_area(light) => explanation,
-            Summand::Term { term, light, value } => {
+            Summand::Term { term, light } => {
                 let light = view.light_name(light);
                 let space = if light.is_empty() { "" } else { " " };
-                explanation.color(format!("+ {}{space}{light}", term.name()), value)
+                explanation.color(format!("+ {}{space}{light}", term.name()), term.value())
             }
             Summand::Child {
                 kind,

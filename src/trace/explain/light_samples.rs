@@ -46,7 +46,7 @@ pub fn light_samples(view: View, node: u32, light: u32) -> Explanation {
 
 /// How points on a light are chosen at the hit of a node.
 fn in_proportion_to(view: View, node: u32, light: u32) -> String {
-    match view.projected(node, light) {
+    match view.projected_solid_angle(node, light) {
         Some(area) => format!(
             "by what they bring: all the same, with a projected solid angle P = {}",
             num(area)

@@ -123,7 +123,7 @@ pub fn boundary(view: View, node: u32, n1: f64, n2: f64, reflectance: f64) -> Ex
     let Some(SurfaceHit { at, material, .. }) = view.surface_hit(node) else {
         return explanation;
     };
-    let (kr, kt) = (material.mirror, material.transmission);
+    let [reflected, transmitted] = material.fresnel_weights(reflectance);
     let touching = view.touching(node);
     let explanation = if touching.is_empty() {
         explanation
@@ -136,8 +136,8 @@ pub fn boundary(view: View, node: u32, n1: f64, n2: f64, reflectance: f64) -> Ex
     explanation
         .row("angle", degrees(at.normal.dot(at.to_viewer)))
         .row("critical angle", critical_angle(n1, n2))
-        .color("Wr = Kr + F Kt", kr + kt * reflectance)
-        .color("Wt = (1 - F) Kt", kt * (1.0 - reflectance))
+        .color("Wr = Kr + F Kt", reflected)
+        .color("Wt = (1 - F) Kt", transmitted)
 }
 
 fn critical_angle(n1: f64, n2: f64) -> String {

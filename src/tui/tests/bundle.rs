@@ -69,9 +69,8 @@ fn a_thousand_rays_to_a_light_are_as_quick_as_sixteen() {
                 Event::Term {
                     light,
                     sample,
-                    value,
-                    ..
-                } if (light, sample) == ours => Some(value),
+                    term,
+                } if (light, sample) == ours => Some(term.value()),
                 _ => None,
             });
         if id % 64 == 2 {

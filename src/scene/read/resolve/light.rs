@@ -9,7 +9,7 @@ use crate::scene::limits::{MAX_COORDINATE, MAX_EXPONENT, MAX_LIGHTS, MAX_RADIANC
 use crate::scene::read::did_you_mean::did_you_mean;
 use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::{AreaFile, LightFile};
-use crate::shading::{Area, Light, Source};
+use crate::shading::{Area, Light, LightKind};
 
 impl Resolver {
     /// Adds all lights of the file. Their objects are known already.
@@ -24,7 +24,7 @@ impl Resolver {
         for (i, file) in lights.iter().enumerate() {
             let (kind, name) = file.kind_and_name();
             let path = path.index(i).key(kind);
-            let source = self.source(file, &path)?;
+            let kind = self.kind(file, &path)?;
             checks::name(name, &path.key("name"))?;
             if !names.insert(name) {
                 return Err(path.key("name").error(
@@ -33,21 +33,21 @@ impl Resolver {
                 ));
             }
             let name = name.to_string();
-            self.scene.lights.push(Light { name, source });
+            self.scene.lights.push(Light { name, kind });
         }
         Ok(())
     }
 
-    fn source(&self, file: &LightFile, path: &FieldPath) -> Result<Source, SceneError> {
+    fn kind(&self, file: &LightFile, path: &FieldPath) -> Result<LightKind, SceneError> {
         let intensity = |value: Rgb| color(value, MAX_RADIANCE, &path.key("intensity"));
         Ok(match file {
-            LightFile::Point(light) => Source::Point {
+            LightFile::Point(light) => LightKind::Point {
                 position: point(light.position, &path.key("position"))?,
                 intensity: intensity(light.intensity)?,
                 attenuation: attenuation(light.attenuation, path)?,
             },
             LightFile::Area(light) => self.area(light, path)?,
-            LightFile::Directional(light) => Source::Directional {
+            LightFile::Directional(light) => LightKind::Directional {
                 direction: direction(light.direction, &path.key("direction"))?,
                 intensity: intensity(light.intensity)?,
             },
@@ -62,7 +62,7 @@ impl Resolver {
                 })?;
                 let angle = path.key("cone_angle");
                 let degrees = number(light.cone_angle, [0.0, 180.0], &angle)?;
-                Source::Spot {
+                LightKind::Spot {
                     position,
                     direction: axis,
                     intensity: intensity(light.intensity)?,
@@ -75,7 +75,7 @@ impl Resolver {
     }
 
     /// Area light: the shapes of the object that shines, and the radiance that its material sends out.
-    fn area(&self, file: &AreaFile, path: &FieldPath) -> Result<Source, SceneError> {
+    fn area(&self, file: &AreaFile, path: &FieldPath) -> Result<LightKind, SceneError> {
         let path = path.key("object");
         let Some(&index) = self.objects.get(&file.object) else {
             let names = self.scene.objects.iter().map(|o| o.name.as_str());
@@ -89,7 +89,7 @@ impl Resolver {
         };
         let object = &self.scene.objects[index as usize];
         let material = &self.scene.materials[object.material as usize];
-        if material.emission.is_black() {
+        if !material.is_emissive() {
             return Err(path.error(
                 format!(
                     "the material `{}` of `{}` does not shine",
@@ -99,7 +99,7 @@ impl Resolver {
             ));
         }
         Area::new(self.scene.shapes_of(index), material.emission)
-            .map(Source::Area)
+            .map(LightKind::Area)
             .ok_or_else(|| {
                 path.error(
                     format!("`{}` has no area that light could come from", file.object),

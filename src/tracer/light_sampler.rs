@@ -1,0 +1,215 @@
+//! Light sampler: the shadow rays from one point to one light.
+//!
+//! A light without area has one sample. An area light has many: each is a point light of its own with its share of the mean
+//! (Cook, Porter and Carpenter 1984). What all of them have in common is computed once.
+
+use super::path_id::PathId;
+use crate::math::points::{Points, Run};
+use crate::math::sampler::light_run;
+use crate::math::{DVec3, LightSampling, Ray, Sampler};
+use crate::probe::{Absence, ProjectedShare, counting};
+use crate::scene::{Effect, Scene, Settings};
+use crate::shading::{Area, LightKind, LightSample, Projected, ShadingPoint};
+
+/// Shadow ray, and the light that it brings if nothing is in its way.
+#[derive(Clone, Copy, Debug)]
+pub struct ShadowRay {
+    /// From the surface to the light, whose distance is that of `light`.
+    pub ray: Ray,
+    /// The light at the surface; of an area light, the share of this sample.
+    pub light: LightSample,
+    /// N.L, positive.
+    pub n_dot_l: f64,
+}
+
+/// Samples of one light at one point.
+pub struct LightSampler<'a> {
+    settings: &'a Settings,
+    point: &'a ShadingPoint<'a>,
+    kind: &'a LightKind,
+    area: Option<AreaSampler<'a>>,
+    /// Number of samples.
+    pub count: u32,
+}
+
+/// Common part of the samples of an area light at one point.
+struct AreaSampler<'a> {
+    area: &'a Area,
+    /// The light's polygon as the surface sees it, if points are chosen by that. (Boxed: it is large, and nearly always none.)
+    projected: Option<Box<Projected>>,
+    /// Points on the light, and the number of the first one here; none if its middle stands for all.
+    points: Option<(Points, u32)>,
+    /// Share of one sample in the mean.
+    share: f64,
+    origin: ShadowOrigin,
+}
+
+/// Origin of all shadow rays from a point: clear of its surface, on the outer side.
+#[derive(Clone, Copy, Debug)]
+struct ShadowOrigin {
+    origin: DVec3,
+    /// Distance from the point.
+    offset: f64,
+}
+
+/// Number of shadow rays from a point to a light.
+#[inline]
+pub fn count(scene: &Scene, settings: &Settings, light: u32) -> u32 {
+    if scene.lights[light as usize].kind.is_area() {
+        settings.rays_to_area()
+    } else {
+        1
+    }
+}
+
+impl<'a> LightSampler<'a> {
+    /// Sampler of light number `light` at `point`, for the ray of a path.
+    #[inline]
+    pub fn new(
+        scene: &'a Scene,
+        settings: &'a Settings,
+        point: &'a ShadingPoint<'a>,
+        (id, light): (PathId, u32),
+    ) -> Self {
+        let kind = &scene.lights[light as usize].kind;
+        let area = match kind {
+            LightKind::Area(area) if counting::AREAS => {
+                Some(AreaSampler::new(area, settings, point, (id, light)))
+            }
+            _ => None,
+        };
+        Self {
+            settings,
+            point,
+            kind,
+            area,
+            count: count(scene, settings, light),
+        }
+    }
+
+    /// The light at the point, sample number `sample`, whatever stands in between and whichever side it is on.
+    #[inline]
+    pub fn light(&self, sample: u32) -> Option<LightSample> {
+        match &self.area {
+            Some(area) if counting::AREAS => area.light(self.point, sample),
+            _ => self.kind.sample(self.point.at.point),
+        }
+    }
+
+    /// P, the projected solid angle of the light, if its samples are chosen in proportion to what they bring.
+    pub fn projected_solid_angle(&self) -> Option<f64> {
+        let polygon = self.area.as_ref()?.projected.as_ref()?;
+        Some(polygon.area)
+    }
+
+    /// Shadow ray number `sample`, or why none is sent.
+    #[inline]
+    pub fn shadow_ray(&self, sample: u32) -> Result<ShadowRay, Absence> {
+        if !self.point.shows_lights() {
+            return Err(Absence::NoLocalLight);
+        }
+        let Some(light) = self.light(sample) else {
+            return Err(Absence::FacingAway { n_dot_l: 0.0 });
+        };
+        // The light must be before the surface by both normals, or it would leak through the back of a smooth mesh.
+        let at = self.point.at;
+        let n_dot_l = at.normal.dot(light.direction);
+        let lowest = n_dot_l.min(at.geometric_normal.dot(light.direction));
+        if lowest <= 0.0 {
+            return Err(Absence::FacingAway { n_dot_l: lowest });
+        }
+        if light.intensity.is_black() {
+            let cos_angle = light.cos_angle;
+            return Err(Absence::OutsideCone { cos_angle });
+        }
+        let area = self.area.as_ref().filter(|_| counting::AREAS);
+        let ShadowOrigin { origin, offset } =
+            area.map_or_else(|| ShadowOrigin::of(self.point), |area| area.origin);
+        let arrival = (light.distance, light.cos_angle);
+        let arithmetic = &self.settings.arithmetic;
+        let distance = light.distance - arithmetic.short_of_light(at.point, offset, arrival);
+        Ok(ShadowRay {
+            ray: Ray::new(origin, light.direction),
+            light: LightSample { distance, ..light },
+            n_dot_l,
+        })
+    }
+}
+
+impl<'a> AreaSampler<'a> {
+    /// (Never inlined, so that scenes without area lights pay nothing for it.)
+    #[inline(never)]
+    fn new(
+        area: &'a Area,
+        settings: &Settings,
+        point: &ShadingPoint,
+        (id, light): (PathId, u32),
+    ) -> Self {
+        let soft = settings.effects.has(Effect::SoftShadows);
+        Self {
+            area,
+            projected: projected(area, settings, point),
+            points: soft.then(|| points(settings, id, light)),
+            share: 1.0 / f64::from(settings.rays_to_area()),
+            origin: ShadowOrigin::of(point),
+        }
+    }
+
+    /// Sample number `sample`, as a share of the mean.
+    #[inline(never)]
+    fn light(&self, point: &ShadingPoint, sample: u32) -> Option<LightSample> {
+        let points = self.points.as_ref();
+        let u = points.map_or([0.5; 2], |(points, first)| points.at(first + sample));
+        let at = point.at;
+        let light = match &self.projected {
+            Some(polygon) => self
+                .area
+                .sample_projected((at.point, at.normal), polygon, u)?,
+            None => self.area.sample(at.point, u)?,
+        };
+        let share = self.share;
+        Some(LightSample {
+            intensity: light.intensity * share,
+            projected: light.projected.map(|p| ProjectedShare { share, ..p }),
+            ..light
+        })
+    }
+}
+
+impl ShadowOrigin {
+    #[inline]
+    fn of(point: &ShadingPoint) -> Self {
+        let origin = point.at.origin_towards(point.at.geometric_normal);
+        let offset = (origin - point.at.point).length();
+        Self { origin, offset }
+    }
+}
+
+/// Points on a light for a path, and the number of the first one of this sample of the pixel. The points of all samples of
+/// a pixel at the end of the same path are one set; only a grid is a whole one at each hit.
+fn points(settings: &Settings, id: PathId, light: u32) -> (Points, u32) {
+    let here = settings.light.samples;
+    let run = Run {
+        key: light_run(settings.seed, id.pixel, id.path, light),
+        count: match settings.light.sampler {
+            Sampler::Grid => here,
+            _ => here * settings.pixel.set_size(),
+        },
+    };
+    (Points::new(settings.light.sampler, run), id.sample * here)
+}
+
+/// The light's polygon as the surface sees it, if points on it are chosen in proportion to what they bring.
+///
+/// Not where there are highlights, which do not fall with the cosine that the polygon is weighed by; nor for the grid, which
+/// is the lecture's: points on the light, side by side.
+fn projected(area: &Area, settings: &Settings, point: &ShadingPoint) -> Option<Box<Projected>> {
+    let wanted = settings.light.density == LightSampling::Projected
+        && settings.light.sampler != Sampler::Grid
+        && settings.effects.has(Effect::SoftShadows);
+    if !wanted || !point.is_matt() {
+        return None;
+    }
+    area.projected(point.at.point, point.at.normal)
+        .map(Box::new)
+}

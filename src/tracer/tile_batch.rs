@@ -1,0 +1,162 @@
+//! Tile batch: the eye rays of a tile's pixels, and the shadow rays from their hit points, traced in packets.
+//!
+//! Neighbouring eye rays, and the shadow rays from where they hit to one light, run through the same part of the scene; an
+//! accelerator that traces them together is several times as fast. The tracer stays one recursive function: it takes what was
+//! prefetched instead of asking the accelerator, and the answer is the same to the last bit.
+
+use super::light_sampler::{self, LightSampler};
+use super::samples::{Place, place};
+use super::shadow_batch::{Prefetched, ShadowBatch};
+use super::tile::Tile;
+use crate::geometry::Hit;
+use crate::math::{Interval, Ray};
+use crate::scene::{Effect, Settings};
+use crate::shading::{Interaction, ShadingPoint};
+use crate::world::World;
+
+/// Edge of the blocks in which a tile's rays stand side by side: the rays of a block make one packet.
+const BLOCK: u32 = 4;
+
+/// Shadow rays of a pixel that are prefetched at most; a light with more is sampled hit by hit. It bounds the memory.
+const MOST_SHADOW_RAYS: u32 = 64;
+
+/// Prefetched rays of one sample of each of some pixels; memory that is used again and again.
+#[derive(Default)]
+pub struct TileBatch {
+    samples: Vec<Place>,
+    rays: Vec<(Ray, Interval)>,
+    hits: Vec<Option<Hit>>,
+    /// The hit points of `hits`.
+    points: Vec<Option<Interaction>>,
+    shadow: ShadowBatch,
+    lights: Vec<PrefetchedLight>,
+}
+
+/// Shadow rays to one light, those of one pixel after those of another.
+#[derive(Clone, Copy)]
+struct PrefetchedLight {
+    /// Index of the first.
+    first: usize,
+    /// Rays of each pixel; 0 if they are not prefetched.
+    count: usize,
+}
+
+/// Prefetched rays of one pixel's sample.
+#[derive(Clone, Copy)]
+pub struct PixelBatch<'a> {
+    batch: &'a TileBatch,
+    index: usize,
+}
+
+impl TileBatch {
+    /// Traces sample number `sample` of all `pixels`; false if there are none.
+    pub fn trace(
+        &mut self,
+        world: &World,
+        settings: &Settings,
+        pixels: impl Iterator<Item = (u32, u32)>,
+        sample: u32,
+    ) -> bool {
+        let (scene, camera) = (&world.scene, &world.scene.camera);
+        self.samples.clear();
+        self.samples
+            .extend(pixels.map(|pixel| place(settings, pixel, sample)));
+        if self.samples.is_empty() {
+            return false;
+        }
+        self.rays.clear();
+        self.rays.extend(self.samples.iter().map(|sample| {
+            let ray = camera.ray(sample.film, settings.size());
+            (ray, Interval::FORWARD)
+        }));
+        self.hits.clear();
+        self.hits.resize(self.rays.len(), None);
+        world
+            .accel
+            .closest_many(&scene.shapes, &self.rays, &mut self.hits);
+        let rays_and_hits = self.rays.iter().zip(&self.hits);
+        self.points.clear();
+        self.points.extend(
+            rays_and_hits.map(|((ray, _), hit)| Some(scene.interaction(ray, hit.as_ref()?))),
+        );
+        self.trace_shadow_rays(world, settings);
+        true
+    }
+
+    /// Traces the shadow rays of all hit points, light by light.
+    fn trace_shadow_rays(&mut self, world: &World, settings: &Settings) {
+        self.shadow.clear();
+        self.lights.clear();
+        if !settings.effects.has(Effect::Shadows) {
+            return;
+        }
+        let (scene, mut left) = (&world.scene, MOST_SHADOW_RAYS);
+        for (light, number) in scene.lights.iter().zip(0..) {
+            let wanted = light_sampler::count(scene, settings, number);
+            let count = if wanted <= left { wanted } else { 0 };
+            left -= count;
+            self.lights.push(PrefetchedLight {
+                first: self.shadow.prefetched().len(),
+                count: count as usize,
+            });
+            if count > 0 {
+                self.sample_light(world, settings, number, count);
+                self.shadow.trace(world, light.kind.is_area());
+            }
+        }
+    }
+
+    /// Samples a light at all hit points.
+    fn sample_light(&mut self, world: &World, settings: &Settings, light: u32, count: u32) {
+        let scene = &world.scene;
+        for ((sample, hit), at) in self.samples.iter().zip(&self.hits).zip(&self.points) {
+            if let (Some(hit), Some(at)) = (hit, at) {
+                let material = scene.material_of(hit.primitive);
+                let point = ShadingPoint::new(at, material, settings.effects);
+                let sampler = LightSampler::new(scene, settings, &point, (sample.asker, light));
+                self.shadow.sample(&sampler, count);
+            } else {
+                self.shadow.skip(count);
+            }
+        }
+    }
+
+    /// The pixels' samples in their order, each with its eye ray and what is prefetched of it.
+    pub fn pixels(&self) -> impl Iterator<Item = (&Place, Ray, PixelBatch<'_>)> {
+        (0..self.samples.len()).map(|index| {
+            let batch = PixelBatch { batch: self, index };
+            (&self.samples[index], self.rays[index].0, batch)
+        })
+    }
+}
+
+impl<'a> PixelBatch<'a> {
+    /// Closest hit of the eye ray, and its point.
+    #[inline]
+    pub fn hit(self) -> Option<(&'a Hit, &'a Interaction)> {
+        let hit = self.batch.hits[self.index].as_ref();
+        hit.zip(self.batch.points[self.index].as_ref())
+    }
+
+    /// Shadow rays to a light, if they are prefetched.
+    #[inline]
+    pub fn shadow_rays(self, light: u32) -> Option<&'a [Prefetched]> {
+        let light = self.batch.lights.get(light as usize)?;
+        let first = light.first + self.index * light.count;
+        (light.count > 0).then(|| &self.batch.shadow.prefetched()[first..first + light.count])
+    }
+}
+
+/// The pixels of a tile, block after block.
+pub fn in_blocks(tile: Tile) -> Vec<(u32, u32)> {
+    let ([left, right], [top, bottom]) = (tile.x, tile.y);
+    let mut pixels = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
+    for y0 in (top..bottom).step_by(BLOCK as usize) {
+        for x0 in (left..right).step_by(BLOCK as usize) {
+            for y in y0..(y0 + BLOCK).min(bottom) {
+                pixels.extend((x0..(x0 + BLOCK).min(right)).map(|x| (x, y)));
+            }
+        }
+    }
+    pixels
+}
