@@ -7,9 +7,11 @@ use std::f64::consts::PI;
 use raytree::accel::AccelKind;
 use raytree::math::{DVec3, LightSampling, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Scene, SceneError, Settings};
+use raytree::scene::{Scene, SceneError, Settings};
 use raytree::tracer::pixel;
 use raytree::world::World;
+
+use crate::from_text;
 
 /// A floor y = 0 with Kd = 1, seen at (x, 0, z) from below the lights, and these lights and other objects.
 pub fn floor(at: [f64; 2], lights: &str, objects: &str) -> World {
@@ -33,10 +35,7 @@ pub fn load(at: [f64; 2], lights: &str, objects: &str) -> Result<Scene, SceneErr
 }}"#,
         z + 0.5
     );
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("test.json");
-    std::fs::write(&path, text).expect("room on the disk");
-    scene::load(path.to_str().expect("a plain path"))
+    from_text::read(&text)
 }
 
 pub const LAMP: &str = r#"{"area": {"name": "lamp", "object": "lamp"}}"#;

@@ -4,9 +4,11 @@ use raytree::accel::AccelKind;
 use raytree::math::sampler::mix;
 use raytree::math::{LightSampling, Rgb, Sampler};
 use raytree::probe::Silent;
-use raytree::scene::{self, Adaptive, Pilot, Settings};
+use raytree::scene::{Adaptive, Pilot, Settings};
 use raytree::tracer::{Film, Flow, pixel, render};
 use raytree::world::World;
+
+use crate::from_text;
 
 /// A floor that sees a tenth of a lamp covered, everywhere in the picture: the screen ends at x = 0.4 before a lamp twice
 /// as far away that ends at x = 1.
@@ -27,10 +29,7 @@ const FAINT: &str = r#"{
 
 /// The floor in so many pixels.
 fn faint(edge: u32) -> (World, Settings) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("faint.json");
-    std::fs::write(&path, FAINT).expect("room on the disk");
-    let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
+    let scene = from_text::scene(FAINT);
     let settings = scene.settings.with(|s| {
         s.image.width = edge;
         s.image.height = edge;

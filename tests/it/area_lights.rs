@@ -6,13 +6,14 @@ use raytree::accel::AccelKind;
 use raytree::geometry::{Aabb, Cuboid, Disc, Shape, Sphere, Triangle};
 use raytree::math::points::Run;
 use raytree::math::{DVec3, LightSampling, Rgb, Sampler};
-use raytree::scene::{self, Settings};
+use raytree::scene::Settings;
 use raytree::shading::Area;
 use raytree::shading::area::Form;
 use raytree::trace::{View, trace_pixel};
 use raytree::world::World;
 
 use crate::floor::{LAMP, SQUARE, floor, irradiance, part, polygon, runs, settings};
+use crate::from_text;
 
 /// Every sampler that has chance in it hits the true value: |z| < 4.3, which one honest test in 10^5 exceeds; there
 /// are about 60. (1e-9 is what single-precision points may add.)
@@ -318,10 +319,7 @@ fn a_light_does_not_stand_in_its_own_way_at_any_scale() {
                     place(0.0, 0.0, 0.0),
                     place(0.0, 0.0, 0.0)
                 );
-                let folder = tempfile::tempdir().expect("a folder");
-                let path = folder.path().join("t.json");
-                std::fs::write(&path, text).expect("room on the disk");
-                let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
+                let scene = from_text::scene(&text);
                 let world = World::new(scene, AccelKind::List);
                 let settings = Settings::default().with(|s| {
                     s.image.width = 8;
@@ -364,10 +362,7 @@ fn a_light_does_not_stand_in_its_own_way_above_a_large_floor() {
             2.0 * edge,
             2.0 * edge
         );
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("t.json");
-        std::fs::write(&path, text).expect("room on the disk");
-        let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
+        let scene = from_text::scene(&text);
         let world = World::new(scene, AccelKind::List);
         let settings = Settings::default().with(|s| {
             s.image.width = 8;

@@ -12,6 +12,7 @@ use raytree::tracer::{Flow, render};
 use raytree::world::World;
 
 use crate::common;
+use crate::from_text;
 
 fn small(scene: &Scene, effects: Effects) -> Settings {
     scene.settings.with(|s| {
@@ -179,9 +180,6 @@ proptest! {
 
     #[test]
     fn what_a_random_scene_calls_for_is_enough(text in random_scene()) {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("random.json");
-        std::fs::write(&path, text).expect("room on the disk");
-        is_enough(scene::load(path.to_str().expect("a plain path")).expect("a scene"));
+        is_enough(from_text::scene(&text));
     }
 }

@@ -6,9 +6,10 @@
 
 use raytree::accel::AccelKind;
 use raytree::probe::Silent;
-use raytree::scene;
 use raytree::tracer::pixel;
 use raytree::world::World;
+
+use crate::from_text;
 
 /// Of one face, n = 1.5.
 const R: f64 = 0.04;
@@ -32,10 +33,7 @@ fn seen(wall: Option<f64>, sky: f64, depth: u32) -> f64 {
   "objects": [{{"box": {{"name": "slab", "material": "glass", "min": [-8, -8, -1], "max": [8, 8, 1]}}}}{wall}]
 }}"#
     );
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("slab.json");
-    std::fs::write(&path, text).expect("room on the disk");
-    let scene = scene::load(path.to_str().expect("a plain path")).expect("a scene");
+    let scene = from_text::scene(&text);
     let settings = scene.settings.with(|s| {
         s.image.width = 1;
         s.image.height = 1;

@@ -4,6 +4,8 @@
 mod common;
 #[path = "../common/floor.rs"]
 mod floor;
+#[path = "../common/from_text.rs"]
+mod from_text;
 #[path = "../common/random.rs"]
 mod random;
 

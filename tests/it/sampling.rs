@@ -7,9 +7,11 @@ use raytree::math::sampler::{mix, unit};
 use raytree::math::{DVec3, Filter, Rgb, Sampler};
 use raytree::probe::Silent;
 use raytree::scene::camera::Camera;
-use raytree::scene::{self, Adaptive, Pilot, Scene, Settings};
+use raytree::scene::{Adaptive, Pilot, Settings};
 use raytree::tracer::{Pixel, pixel};
 use raytree::world::World;
+
+use crate::from_text;
 
 /// A half-plane x < 0 that shines with radiance 1 before black: an edge.
 const EDGE: &str = r#"{
@@ -19,13 +21,6 @@ const EDGE: &str = r#"{
   "objects": [{"quad": {"name": "half", "material": "shining", "corner": [-1000, -1000, 0], "u": [1000, 0, 0], "v": [0, 2000, 0]}}]
 }"#;
 
-fn load(text: &str) -> Scene {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("test.json");
-    std::fs::write(&path, text).expect("room on the disk");
-    scene::load(path.to_str().expect("a plain path")).expect("a scene")
-}
-
 /// The edge, and one pixel before it that is a metre wide: turned by an angle, its middle `d` right of the edge.
 struct Edge {
     world: World,
@@ -34,7 +29,7 @@ struct Edge {
 impl Edge {
     fn new() -> Self {
         Self {
-            world: World::new(load(EDGE), AccelKind::List),
+            world: World::new(from_text::scene(EDGE), AccelKind::List),
         }
     }
 
@@ -370,7 +365,7 @@ fn a_pilot_apart_is_unbiased_and_one_that_is_kept_is_not() {
 #[test]
 fn a_sample_that_is_no_number_counts_as_black_and_is_told_of() {
     for bad in [f64::NAN, f64::INFINITY] {
-        let mut scene = load(EDGE);
+        let mut scene = from_text::scene(EDGE);
         for material in &mut scene.materials {
             material.emission = Rgb::new(1.0, bad, 1.0);
         }

@@ -286,7 +286,7 @@ const BROKEN: &str = "RAYTREE_TEST_BROKEN";
 fn a_panic_leaves_nothing_behind_and_is_told() {
     for (broken, told) in [("normals", "this is a bug"), ("materials", "panicked at")] {
         let mut command = CommandBuilder::new(std::env::current_exe().expect("this test"));
-        command.args(["--exact", "broken_world", "--ignored", "--nocapture"]);
+        command.args(["--exact", "tui::broken_world", "--ignored", "--nocapture"]);
         command.env(BROKEN, broken);
         command.env("RUST_BACKTRACE", "0");
         let mut session = Session::start(command);

@@ -8,6 +8,8 @@ use raytree::trace::trace_pixel;
 use raytree::tracer::{Flow, render};
 use raytree::world::World;
 
+use crate::from_text;
+
 /// A picture of a ball with this camera: its pixels, or the message.
 fn picture(camera: &str) -> Result<Vec<[f64; 3]>, String> {
     let text = format!(
@@ -15,10 +17,7 @@ fn picture(camera: &str) -> Result<Vec<[f64; 3]>, String> {
         "materials": {{"chalk": {{"ambient": [1, 1, 1]}}}}, "ambient": [1, 1, 1],
         "objects": [{{"sphere": {{"name": "ball", "material": "chalk", "center": [0, 0, 0], "radius": 1}}}}]}}"#
     );
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.json");
-    std::fs::write(&path, text).expect("it can be written");
-    let scene = load(path.to_str().expect("a plain path")).map_err(|error| error.to_string())?;
+    let scene = from_text::read(&text).map_err(|error| error.to_string())?;
     let world = World::new(scene, AccelKind::default());
     let settings = Settings::default().with(|s| {
         s.image.width = 8;

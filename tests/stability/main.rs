@@ -6,6 +6,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/from_text.rs"]
+mod from_text;
 #[path = "../common/random.rs"]
 mod random;
 

@@ -3,9 +3,9 @@
 use raytree::accel::{Accel, AccelKind};
 use raytree::geometry::{Hit, Intersection, Shape, Shear, Triangle};
 use raytree::math::{DVec3, Interval, Ray};
-use raytree::scene::{Scene, load};
 
 pub use super::random::Random;
+pub use crate::from_text::scene;
 
 /// `full` rays in the long run, `share` of them in a plain `cargo test`.
 pub fn count(full: usize, share: usize) -> usize {
@@ -106,12 +106,4 @@ pub fn all(shapes: &[Shape]) -> Vec<(AccelKind, Accel)> {
         .into_iter()
         .map(|kind| (kind, Accel::build(kind, shapes)))
         .collect()
-}
-
-/// The scene that a text in the scene format describes.
-pub fn scene(text: &str) -> Scene {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.json");
-    std::fs::write(&path, text).expect("it can be written");
-    load(path.to_str().expect("a plain path")).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
