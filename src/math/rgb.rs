@@ -64,6 +64,16 @@ impl Rgb {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
     }
 
+    /// Its part of the brightness of `whole`, by luminance; 0 of black.
+    pub fn fraction_of(self, whole: Self) -> f64 {
+        let whole = whole.luminance();
+        if whole > 0.0 {
+            self.luminance() / whole
+        } else {
+            0.0
+        }
+    }
+
     /// What a screen shows: clamp to [0, 1] (only here, at the very end), sRGB curve, 8 bits a channel.
     pub fn to_srgb8(self) -> [u8; 3] {
         self.channels()

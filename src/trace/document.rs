@@ -17,7 +17,7 @@ pub use make::of;
 pub use node::{
     AbsentRay, HitPoint, LightSummary, MediumBoundary, PassedSurface, RayNode, RayOutcome,
 };
-pub use path::{RayInTree, fraction};
+pub use path::RayInTree;
 pub use settings::{AdaptiveSettings, ArithmeticSettings, DocumentSettings};
 pub use step::{TestedPrimitive, TraversalStep, VisitedChildren};
 pub use term::{TermFactors, TermValue};

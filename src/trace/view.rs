@@ -1,7 +1,6 @@
 //! A recorded pixel together with the world and the settings that it was traced in.
 
 use super::PixelTrace;
-use super::document::fraction;
 use crate::math::Rgb;
 use crate::probe::RayKind;
 use crate::scene::Settings;
@@ -36,7 +35,7 @@ impl<'a> View<'a> {
     pub fn fraction(self, node: u32) -> f64 {
         let sample = self.trace.tree.sample_of_node(node);
         let weight = sample.map_or(1.0, |s| s.weight);
-        fraction(self.contribution(node) * weight, self.trace.pixel.color)
+        (self.contribution(node) * weight).fraction_of(self.trace.pixel.color)
     }
 
     /// What a node's subtree adds to its sample: throughput x radiance; for an L ray the light's terms at its parent.

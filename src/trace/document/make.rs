@@ -1,6 +1,7 @@
 //! From the log and the world to the document: the one place where ids become names.
 
 use super::settings::settings;
+use super::step::finite;
 use super::{
     AbsentRay, Document, FormatVersion, HitPoint, ImageSize, LightSummary, MediumBoundary,
     PassedSurface, PixelColor, PixelIndex, RayNode, RayOutcome, SampleTree, SceneId, TermValue,
@@ -225,9 +226,4 @@ fn light_name(view: View, light: u32) -> Option<String> {
 /// The number of a light's sample, if the light is an area.
 fn sample_number(view: View, light: u32, sample: u16) -> Option<u32> {
     view.is_area(light).then_some(u32::from(sample))
-}
-
-/// JSON has neither infinity nor NaN: an open end is null.
-pub(super) fn finite(x: f64) -> Option<f64> {
-    x.is_finite().then_some(x)
 }

@@ -88,16 +88,6 @@ impl RayNode {
 impl Document {
     /// The part of the pixel's brightness that a contribution to a sample makes, 0 to 1: by luminance.
     pub fn fraction(&self, sample: &SampleTree, contribution: Rgb) -> f64 {
-        fraction(contribution * sample.weight, self.color.linear)
-    }
-}
-
-/// The part of a pixel's brightness that `part` of its colour makes: by luminance; 0 of a black pixel.
-pub fn fraction(part: Rgb, pixel: Rgb) -> f64 {
-    let whole = pixel.luminance();
-    if whole > 0.0 {
-        part.luminance() / whole
-    } else {
-        0.0
+        (contribution * sample.weight).fraction_of(self.color.linear)
     }
 }

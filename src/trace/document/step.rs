@@ -5,7 +5,6 @@ use std::borrow::Cow;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::make::finite;
 use crate::probe::{Choice, NONE, Verdict, Visit};
 use crate::scene::Scene;
 use crate::world::World;
@@ -114,4 +113,9 @@ impl From<Choice> for VisitedChildren {
             | Choice::SkippedMissed => Self::None,
         }
     }
+}
+
+/// JSON has neither infinity nor NaN: an open end is null.
+pub(super) fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
 }
