@@ -293,7 +293,7 @@ fn case_101_more_samples_than_anyone_can_wait_for() {
         "0",
     ] {
         let settings = format!(r#""settings": {{"samples": {samples}}}"#);
-        refused(scene(&settings), "a.json", &["settings.pixel.samples"]);
+        refused(scene(&settings), "a.json", &["settings.samples"]);
     }
     assert!(scene(r#""settings": {"samples": 4096}"#).is_ok());
 }

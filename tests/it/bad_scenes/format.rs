@@ -112,7 +112,7 @@ fn things_that_students_write() {
         (r#""materials": {"a": 'b'}"#, "materials.a", "'...'"),
         (
             r#""settings": {"depth": -1}"#,
-            "settings.recursion.depth",
+            "settings.depth",
             "whole number from 0",
         ),
         (

@@ -58,10 +58,10 @@ fn numbers_out_of_range() {
     for (field, place) in [
         (r#""size": [0, 0]"#, "settings.size"),
         (r#""size": [1000000, 1000000]"#, "settings.size"),
-        (r#""samples": 0"#, "settings.pixel.samples"),
-        (r#""samples": 4000000000"#, "settings.pixel.samples"),
-        (r#""exposure": -1"#, "settings.image.exposure"),
-        (r#""depth": -1"#, "settings.recursion.depth"),
+        (r#""samples": 0"#, "settings.samples"),
+        (r#""samples": 4000000000"#, "settings.samples"),
+        (r#""exposure": -1"#, "settings.exposure"),
+        (r#""depth": -1"#, "settings.depth"),
     ] {
         let text = scene(&format!(r#", "settings": {{{field}}}"#));
         assert_says(&refused(text.as_bytes()), &[place]);

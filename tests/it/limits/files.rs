@@ -177,14 +177,14 @@ fn settings() {
     limit(
         samples(MAX_SAMPLES),
         samples(MAX_SAMPLES + 1),
-        &["settings.pixel.samples", "from 1 to 4096"],
+        &["settings.samples", "from 1 to 4096"],
     );
-    limit(samples(1), samples(0), &["settings.pixel.samples"]);
+    limit(samples(1), samples(0), &["settings.samples"]);
     let rays = |n: u32| setting(format!("\"light_samples\": {n}"));
     limit(
         rays(MAX_LIGHT_SAMPLES),
         rays(MAX_LIGHT_SAMPLES + 1),
-        &["settings.light.samples", "from 1 to 65536"],
+        &["settings.light_samples", "from 1 to 65536"],
     );
     let size = |w: u64, h: u64| setting(format!("\"size\": [{w}, {h}]"));
     let edge = u64::from(MAX_EDGE);
