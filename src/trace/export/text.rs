@@ -65,9 +65,10 @@ fn tree(
             guides.push(if ray.is_last { "   " } else { "│  " });
         }
         writeln!(f, "{}", summary(document, sample, &ray))?;
-        let bar = match ray.node.children.is_empty() {
-            true => "   ",
-            false => "│  ",
+        let bar = if ray.node.children.is_empty() {
+            "   "
+        } else {
+            "│  "
         };
         let rest = guides.concat();
         for line in details(ray.node, lights) {

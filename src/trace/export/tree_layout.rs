@@ -1,6 +1,5 @@
 //! The ray tree as boxes: what stands in them, their colours, and where they stand.
 
-use crate::math::Rgb;
 use crate::probe::RayKind;
 use crate::trace::document::{Document, RayInTree, RayNode, RayOutcome, SampleTree};
 use crate::trace::format::num;
@@ -68,22 +67,16 @@ fn figure<'a>(
     ray: &RayInTree<'a>,
 ) -> Figure<'a> {
     let node = ray.node;
-    let hit = node.hit.as_ref();
-    let (end, fill) = match node.outcome {
-        Some(RayOutcome::Lit) => ("lit".to_owned(), [255, 244, 190]),
-        outcome => (
-            match hit {
-                Some(hit) => format!("{} t={}", hit.object, num(hit.t)),
-                None => outcome.map_or("cut", |_| "miss").to_owned(),
-            },
-            match outcome {
-                Some(RayOutcome::Blocked) => [60, 60, 60],
-                _ => {
-                    let radiance = node.radiance.unwrap_or(Rgb::BLACK);
-                    (radiance * document.settings.exposure).to_srgb8()
-                }
-            },
-        ),
+    let end = match (&node.hit, node.outcome) {
+        (Some(hit), _) => format!("{} t={}", hit.object, num(hit.t)),
+        (None, Some(RayOutcome::Lit)) => "lit".to_owned(),
+        (None, Some(_)) => "miss".to_owned(),
+        (None, None) => "cut".to_owned(),
+    };
+    let fill = match node.outcome {
+        Some(RayOutcome::Lit) => [255, 244, 190],
+        Some(RayOutcome::Blocked) => [60, 60, 60],
+        _ => (node.radiance.unwrap_or_default() * document.settings.exposure).to_srgb8(),
     };
     let light = node.light.as_deref().unwrap_or_default();
     let percent = document.fraction(sample, ray.contribution) * 100.0;
