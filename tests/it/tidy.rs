@@ -155,13 +155,11 @@ fn the_rule_of_long_functions_can_fail() {
 fn the_rule_of_names_can_fail() {
     let two = |a, b| rules::names_of_two(&made(&[("math.rs", a), ("tui/rows.rs", b)]));
     fails(
-        &two("struct Row;", "enum Row {}"),
+        &two("pub struct Row;", "pub(super) enum Row {}"),
         "`Row` is a type in math.rs and in tui/rows.rs",
     );
-    holds(&two(
-        "struct Row;",
-        "fn f() { struct Row; }\nimpl I for K { type Row = u8; }",
-    ));
+    holds(&two("pub struct Row;", "struct Row;"));
+    holds(&two("pub struct Row;", "pub fn f() { pub struct Row; }"));
 }
 
 #[test]

@@ -156,28 +156,44 @@ impl File {
 /// Names of the items that a file defines, modules included.
 fn defined(tokens: &[Token]) -> BTreeSet<String> {
     items(tokens)
-        .map(|(_, name)| name.text.to_string())
+        .into_iter()
+        .map(|item| item.name.to_string())
         .collect()
 }
 
-/// Keywords and names of the items outside of all others.
-pub fn items<'t>(tokens: &[Token<'t>]) -> impl Iterator<Item = (&'t str, Token<'t>)> {
+/// An item by its keyword.
+pub struct Item<'t> {
+    pub kind: &'t str,
+    pub name: &'t str,
+    /// True if other files see it.
+    pub shared: bool,
+}
+
+/// The items that stand in no other.
+pub fn items<'t>(tokens: &[Token<'t>]) -> Vec<Item<'t>> {
     const KINDS: [&str; 9] = [
         "fn", "struct", "enum", "trait", "type", "const", "static", "union", "mod",
     ];
     let (mut found, mut at) = (Vec::new(), 0);
     while at < tokens.len() {
-        let next = tokens.get(at + 1);
-        match tokens[at].text {
-            "{" | "(" | "[" => at = closing(tokens, at),
-            "macro_rules" => found.extend(tokens.get(at + 2).map(|name| ("macro", *name))),
-            kind if KINDS.contains(&kind) => {
-                let named = next.filter(|n| !KINDS.contains(&n.text));
-                found.extend(named.map(|name| (kind, *name)));
+        let kind = tokens[at].text;
+        let named = match kind {
+            "{" | "(" | "[" => {
+                at = closing(tokens, at);
+                None
             }
-            _ => {}
-        }
+            "macro_rules" => tokens.get(at + 2),
+            // `const fn` is a function.
+            _ if KINDS.contains(&kind) => tokens.get(at + 1).filter(|n| !KINDS.contains(&n.text)),
+            _ => None,
+        };
+        let before = at.checked_sub(1).map_or("", |before| tokens[before].text);
+        found.extend(named.map(|name| Item {
+            kind,
+            name: name.text,
+            shared: matches!(before, "pub" | ")"),
+        }));
         at += 1;
     }
-    found.into_iter()
+    found
 }

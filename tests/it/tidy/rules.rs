@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::house::House;
+use super::house::{File, House, items};
 use super::lexer::{Token, closing, code};
 use super::uses::paths;
 
@@ -134,26 +134,24 @@ fn function<'t>(tokens: &[Token<'t>], at: usize) -> Option<(&'t str, usize)> {
     Some((name.text, lines.len()))
 }
 
-/// Names of types that two layers define.
+/// Names of two types in two layers, both of which other files see.
 pub fn names_of_two(house: &House) -> Vec<String> {
     const TYPES: [&str; 5] = ["struct", "enum", "trait", "type", "union"];
-    let mut places: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
-    let mut files: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    let mut files: BTreeMap<&str, Vec<&File>> = BTreeMap::new();
     for file in &house.files {
-        let tokens = code(&file.text);
-        for (kind, name) in super::house::items(&tokens) {
-            if TYPES.contains(&kind) {
-                places.entry(name.text).or_default().insert(file.layer());
-                files.entry(name.text).or_default().push(&file.name);
-            }
+        let types = items(&file.code()).into_iter();
+        for item in types.filter(|i| i.shared && TYPES.contains(&i.kind)) {
+            files.entry(item.name).or_default().push(file);
         }
     }
-    let twice = |name: &&&str| places[**name].len() > 1 && !TWICE.contains(*name);
-    files
-        .keys()
-        .filter(twice)
-        .map(|name| format!("`{name}` is a type in {}", files[name].join(" and in ")))
-        .collect()
+    files.retain(|name, files| {
+        files.iter().any(|f| f.layer() != files[0].layer()) && !TWICE.contains(name)
+    });
+    let line = |(name, files): (&&str, &Vec<&File>)| {
+        let files: Vec<&str> = files.iter().map(|f| f.name.as_str()).collect();
+        format!("`{name}` is a type in {}", files.join(" and in "))
+    };
+    files.iter().map(line).collect()
 }
 
 /// Comments that say only what they resemble.
