@@ -11,7 +11,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::light::{LightSample, MAX_ATTENUATION};
+use super::light_sample::{LightSample, MAX_ATTENUATION};
 use super::projected::Projected;
 use crate::geometry::{Aabb, Disc, Shape, Sphere, Triangle};
 use crate::math::rounding::{gamma, offset_origin};
