@@ -22,6 +22,8 @@ pub mod trace;
 
 pub mod lab;
 
+pub mod debug;
+
 pub mod cli;
 
 pub mod tui;

@@ -1,11 +1,10 @@
 //! The recorded pixel, as a log, as a ray tree, as an owned document, as numbers to read.
 //!
-//! The log is the truth. The tree ([`RayTree`]) is a fold of it; stepping ([`Cursor`]) is an index into it; what is
+//! The log is the truth. The tree ([`RayTree`]) is a fold of it; stepping ([`crate::debug::Cursor`]) is an index into it; what is
 //! shown beside it is computed again from it with the tracer's own functions ([`mod@explain`]). The [`Document`] is made
 //! from both, with names instead of ids; whatever is written ([`export`]) is made from the document alone.
 
 pub mod counts;
-pub mod cursor;
 pub mod document;
 pub mod explain;
 pub mod export;
@@ -13,19 +12,16 @@ pub mod format;
 pub mod ledger;
 pub mod light_estimate;
 pub mod lighting;
-pub mod pick;
 pub mod recorder;
 pub mod surface_hit;
 pub mod tree;
 pub mod view;
 
 pub use counts::Counts;
-pub use cursor::Cursor;
 pub use document::Document;
 pub use explain::{Explanation, explain};
 pub use light_estimate::LightEstimate;
 
-pub use pick::{Picked, pick};
 pub use recorder::Recorder;
 pub use surface_hit::SurfaceHit;
 pub use tree::{Node, Outcome, RayTree};

@@ -4,20 +4,22 @@ use std::time::{Duration, Instant};
 
 use ratatui::layout::Position;
 
-use super::{Mouse, buffer, keys, of_scene, settle, text};
+use super::support::{buffer, keys, of_scene, settle, text};
 use crate::math::Rgb;
 use crate::probe::{Event, RayKind};
-use crate::tui::{App, tree_pane};
+use crate::tui::model::Mouse;
+use crate::tui::panes::tree;
+use crate::tui::terminal::program::Program;
 
 #[test]
 fn the_rays_to_an_area_light_are_one_row_that_opens() {
     let mut app = of_scene("soft-shadow", 120, 36, |_| ());
     settle(&mut app);
-    app.point(Mouse::Press, Position::new(60, 24));
-    app.point(Mouse::Press, Position::new(60, 24));
+    app.mouse(Mouse::Press, Position::new(60, 24));
+    app.mouse(Mouse::Press, Position::new(60, 24));
     settle(&mut app);
     keys(&mut app, "gn");
-    let rows = |app: &App| app.session.as_ref().map_or(0, |s| s.rows.len());
+    let rows = |app: &Program| app.model.session.as_ref().map_or(0, |s| s.rows.len());
     let closed = rows(&app);
     keys(&mut app, "j");
     assert!(text(&app).contains("▸L 16 to lamp: "), "{}", text(&app));
@@ -40,21 +42,18 @@ fn the_rays_to_an_area_light_are_one_row_that_opens() {
 #[test]
 fn a_thousand_rays_to_a_light_are_as_quick_as_sixteen() {
     let mut app = of_scene("soft-shadow", 120, 36, |_| ());
-    app.settings.light.samples = 1024;
-    app.point(Mouse::Press, Position::new(60, 24));
-    app.point(Mouse::Press, Position::new(60, 24));
+    app.model.settings.light.samples = 1024;
+    app.mouse(Mouse::Press, Position::new(60, 24));
+    app.mouse(Mouse::Press, Position::new(60, 24));
     settle(&mut app);
     // Into each of the four bundles, which opens it.
     keys(&mut app, "gnllll");
-    let rows = app.session.as_ref().map_or(0, |s| s.rows.len());
+    let rows = app.model.session.as_ref().map_or(0, |s| s.rows.len());
     assert!(rows > 1024, "{rows}");
     // What a frame makes is what the screen shows.
-    let height = app.panes().tree.height;
-    let session = app.session.as_ref().expect("a tree");
-    assert_eq!(
-        tree_pane::shown(session, height).count(),
-        usize::from(height)
-    );
+    let height = app.model.panes().tree.height;
+    let session = app.model.session.as_ref().expect("a tree");
+    assert_eq!(tree::shown(session, height).count(), usize::from(height));
     // What a ray brings is found beside it, not among all others; it is the same.
     let tree = session.tree();
     let mut lit = 0;

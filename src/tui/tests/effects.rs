@@ -2,25 +2,26 @@
 
 use crossterm::event::KeyCode;
 
-use super::{key, keys, of_scene, settle, text};
+use super::support::{key, keys, of_scene, settle, text};
 use crate::probe::Silent;
 use crate::scene::Effect;
 use crate::scene::effects::findings;
 use crate::tracer::pixel;
-use crate::tui::App;
+use crate::tui::model::Action;
+use crate::tui::terminal::program::Program;
 
-fn soft_shadow() -> App {
+fn soft_shadow() -> Program {
     let mut app = of_scene("soft-shadow", 100, 40, |_| ());
     settle(&mut app);
     app
 }
 
 /// Every pixel that is known is the tracer's with the present settings.
-fn is_as_set(app: &App) {
-    let (width, height) = app.picture.size;
+fn is_as_set(app: &Program) {
+    let (width, height) = app.model.picture.size;
     for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-        let traced = pixel(&app.world, &app.settings, at, &mut Silent).color;
-        assert_eq!(app.picture.exact(at), Some(traced), "{at:?}");
+        let traced = pixel(&app.model.world, &app.model.settings, at, &mut Silent).color;
+        assert_eq!(app.model.picture.exact(at), Some(traced), "{at:?}");
     }
 }
 
@@ -30,7 +31,7 @@ fn each_effect_stands_there_with_the_reason_that_the_command_tells() {
         let mut app = of_scene(scene, 200, 40, |_| ());
         keys(&mut app, "e");
         let screen = text(&app);
-        for finding in findings(&app.world.scene) {
+        for finding in findings(&app.model.world.scene) {
             let row = screen.lines().find(|l| l.contains(finding.effect.name()));
             let row = row.expect("a row");
             let state = if finding.on { " on " } else { "off " };
@@ -49,7 +50,7 @@ fn an_effect_that_is_left_out_is_rendered_without_named_and_taken_in_again() {
     let mut app = soft_shadow();
     let whole = text(&app);
     keys(&mut app, "ej ");
-    assert!(!app.settings.effects.has(Effect::SoftShadows));
+    assert!(!app.model.settings.effects.has(Effect::SoftShadows));
     let panel = text(&app);
     assert!(panel.contains("left out soft-shadows"), "{panel}");
     assert!(panel.contains("one shadow ray to the middle"), "{panel}");
@@ -66,10 +67,10 @@ fn an_effect_that_is_left_out_is_rendered_without_named_and_taken_in_again() {
 #[test]
 fn an_open_tree_is_traced_again_without_it() {
     let mut app = soft_shadow();
-    app.handle(super::Action::Move(0, 15));
+    app.act(Action::Move(0, 15));
     key(&mut app, KeyCode::Enter);
-    let lights = |app: &App| {
-        let session = app.session.as_ref().expect("a tree");
+    let lights = |app: &Program| {
+        let session = app.model.session.as_ref().expect("a tree");
         let nodes = session.tree().nodes.iter();
         nodes
             .filter(|n| n.ray.kind == crate::probe::RayKind::Light)
@@ -90,9 +91,9 @@ fn an_open_tree_is_traced_again_without_it() {
 #[test]
 fn what_the_scene_does_not_call_for_cannot_be_switched() {
     let mut app = soft_shadow();
-    let before = app.settings;
+    let before = app.model.settings;
     keys(&mut app, "ejjjj ");
-    assert_eq!(app.settings, before);
+    assert_eq!(app.model.settings, before);
     let said = "refraction would change nothing: no material has a transmission coefficient";
     assert!(text(&app).contains(said), "{}", text(&app));
 }

@@ -2,14 +2,14 @@
 
 use std::time::{Duration, Instant};
 
-use super::{app, buffer};
+use super::support::{app, buffer};
+use crate::debug::{Session, StepCommand};
 use crate::geometry::Hit;
 use crate::math::{DVec3, Rgb};
 use crate::probe::{Event, NONE, Probe, RayKind, RayRecord};
 use crate::trace::{PixelTrace, RayTree, Recorder};
 use crate::tracer::Pixel;
-use crate::tui::actions::Action;
-use crate::tui::session::Session;
+use crate::tui::model::Action;
 
 /// A tree of 2^20 - 1 rays: each hit sends an R and a T ray.
 fn huge() -> RayTree {
@@ -70,25 +70,25 @@ fn a_million_rays_step_and_scroll_without_lag() {
         tree: huge(),
     };
     assert_eq!(trace.tree.nodes.len(), (1 << 20) - 1);
-    let session = Session::of(app.world.clone(), app.settings, trace);
-    app.session = Some(Box::new(session));
-    let middle = app.session.as_ref().map_or(0, |s| s.rows.len() / 2);
-    app.handle(Action::Rows(i32::try_from(middle).expect("it fits")));
+    let session = Session::of(app.model.world.clone(), app.model.settings, trace);
+    app.model.session = Some(Box::new(session));
+    let middle = app.model.session.as_ref().map_or(0, |s| s.rows.len() / 2);
+    app.act(Action::Rows(i32::try_from(middle).expect("it fits")));
     let start = Instant::now();
     let mut frames = 0;
     for action in [
-        Action::Step,
-        Action::StepBack,
+        Action::Step(StepCommand::Forward),
+        Action::Step(StepCommand::Back),
         Action::Rows(1),
         Action::Pages(1),
         Action::Pages(-3),
-        Action::Out,
-        Action::Over,
-        Action::End,
-        Action::Start,
+        Action::Step(StepCommand::Out),
+        Action::Step(StepCommand::Over),
+        Action::Step(StepCommand::End),
+        Action::Step(StepCommand::Start),
     ] {
         for _ in 0..3 {
-            app.handle(action);
+            app.act(action);
             drop(buffer(&app));
             frames += 1;
         }
@@ -99,11 +99,11 @@ fn a_million_rays_step_and_scroll_without_lag() {
     println!("{each:?} a frame");
     // Folding lists the rows anew: that may take a moment, but no more.
     let start = Instant::now();
-    app.handle(Action::Start);
-    app.handle(Action::Step);
-    app.handle(Action::Toggle);
-    assert_eq!(app.session.as_ref().map(|s| s.rows.len()), Some(1));
-    app.handle(Action::Toggle);
+    app.act(Action::Step(StepCommand::Start));
+    app.act(Action::Step(StepCommand::Forward));
+    app.act(Action::Toggle);
+    assert_eq!(app.model.session.as_ref().map(|s| s.rows.len()), Some(1));
+    app.act(Action::Toggle);
     println!("{:?} to fold and unfold all", start.elapsed());
     assert!(start.elapsed() < Duration::from_secs(1));
 }

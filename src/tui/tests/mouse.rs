@@ -2,29 +2,30 @@
 
 use ratatui::layout::Position;
 
-use super::{Mouse, app, settle};
+use super::support::{app, settle};
+use crate::tui::model::Mouse;
 
 #[test]
 fn the_mouse_picks_opens_and_selects() {
     let mut app = app(120, 36);
-    app.point(Mouse::Press, Position::new(10, 5));
-    assert_eq!(app.picture.cursor, (10, 10));
-    app.point(Mouse::Drag, Position::new(50, 20));
-    assert_eq!(app.picture.cursor, (50, 40));
+    app.mouse(Mouse::Press, Position::new(10, 5));
+    assert_eq!(app.model.picture.cursor, (10, 10));
+    app.mouse(Mouse::Drag, Position::new(50, 20));
+    assert_eq!(app.model.picture.cursor, (50, 40));
     assert!(!app.is_busy());
-    app.point(Mouse::Press, Position::new(50, 20));
+    app.mouse(Mouse::Press, Position::new(50, 20));
     settle(&mut app);
-    assert!(app.session.is_some(), "a second click opens");
+    assert!(app.model.session.is_some(), "a second click opens");
     // The third row of the tree.
-    let tree = app.panes().tree;
-    app.point(Mouse::Press, Position::new(tree.x + 5, tree.y + 3));
-    assert_eq!(app.session.as_ref().map(|s| s.row()), Some(2));
+    let tree = app.model.panes().tree;
+    app.mouse(Mouse::Press, Position::new(tree.x + 5, tree.y + 3));
+    assert_eq!(app.model.session.as_ref().map(|s| s.row()), Some(2));
     // The small picture picks another pixel.
-    let before = app.picture.cursor;
-    let picture = app.panes().picture;
-    app.point(Mouse::Press, Position::new(picture.x + 20, picture.y + 9));
+    let before = app.model.picture.cursor;
+    let picture = app.model.panes().picture;
+    app.mouse(Mouse::Press, Position::new(picture.x + 20, picture.y + 9));
     settle(&mut app);
-    assert_ne!(app.picture.cursor, before);
-    let traced = app.session.as_ref().map(|s| (s.trace.x, s.trace.y));
-    assert_eq!(traced, Some(app.picture.cursor));
+    assert_ne!(app.model.picture.cursor, before);
+    let traced = app.model.session.as_ref().map(|s| (s.trace.x, s.trace.y));
+    assert_eq!(traced, Some(app.model.picture.cursor));
 }

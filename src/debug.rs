@@ -1,0 +1,34 @@
+//! Debugger without a screen: a recorded pixel, a cursor in its log, and what panes show of both.
+//!
+//! Nothing here knows a terminal, a key or a layout; the faces draw what is computed here.
+
+pub mod command_line;
+pub mod convergence;
+pub mod cursor;
+pub mod effects;
+pub mod extent;
+pub mod outline;
+pub mod pick;
+pub mod picture;
+pub mod progressive;
+pub mod projection;
+pub mod row_text;
+pub mod rows;
+pub mod session;
+pub mod steps;
+#[cfg(test)]
+mod tests;
+pub mod window;
+
+pub use command_line::command_line;
+pub use convergence::Convergence;
+pub use cursor::{Cursor, StepCommand};
+pub use outline::{Outline, outlines};
+pub use pick::{Picked, pick};
+pub use picture::PartialPicture;
+pub use projection::Axis;
+pub use row_text::RowText;
+pub use rows::{RowKind, TreeRow, TreeRows};
+pub use session::Session;
+pub use steps::{StepKind, StepText};
+pub use window::Window;

@@ -1,0 +1,130 @@
+//! Outlines of the scene's objects for a line drawing.
+
+use crate::geometry::Shape;
+use crate::math::DVec3;
+use crate::scene::Scene;
+
+/// Objects that are drawn at most.
+const MAX_OBJECTS: usize = 400;
+
+/// Corners that are drawn of a mesh at most.
+const MAX_CORNERS: usize = 600;
+
+/// Objects of at most so many triangles are drawn edge by edge.
+const FEW_TRIANGLES: usize = 64;
+
+/// Points of a circle.
+const CIRCLE: usize = 72;
+
+/// An object as the drawing shows it.
+#[derive(Clone, Debug)]
+pub enum Outline {
+    /// Edges.
+    Edges(Vec<[DVec3; 2]>),
+    /// Points of its surface.
+    Points(Vec<DVec3>),
+    /// A sphere: a circle from every side.
+    Sphere(DVec3, f64),
+    /// An unbounded plane n.p = d: a line if it is seen from its edge, else nothing.
+    Plane(DVec3, f64),
+}
+
+/// The outlines of a scene's objects.
+pub fn outlines(scene: &Scene) -> Vec<Outline> {
+    let starts = scene.objects.iter().map(|o| o.first_primitive as usize);
+    let ends = starts.clone().skip(1).chain([scene.shapes.len()]);
+    starts
+        .zip(ends)
+        .take(MAX_OBJECTS)
+        .filter_map(|(start, end)| scene.shapes.get(start..end))
+        .flat_map(of_object)
+        .collect()
+}
+
+fn of_object(shapes: &[Shape]) -> Vec<Outline> {
+    let triangles = || {
+        shapes.iter().filter_map(|shape| match shape.plain() {
+            Shape::Triangle(triangle) => Some(triangle.corners),
+            _ => None,
+        })
+    };
+    let count = triangles().count();
+    let mut outlines: Vec<_> = shapes
+        .iter()
+        .take(MAX_OBJECTS)
+        .filter_map(of_shape)
+        .collect();
+    if count > FEW_TRIANGLES {
+        let step = (3 * count).div_ceil(MAX_CORNERS);
+        outlines.push(Outline::Points(
+            triangles().flatten().step_by(step).collect(),
+        ));
+    } else if count > 0 {
+        let edges = triangles().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+        outlines.push(Outline::Edges(edges.collect()));
+    }
+    outlines
+}
+
+fn of_shape(shape: &Shape) -> Option<Outline> {
+    match shape {
+        Shape::Triangle(_) => None,
+        Shape::Naive(naive) => of_shape(&naive.shape),
+        Shape::Sphere(sphere) => Some(Outline::Sphere(sphere.center, sphere.radius)),
+        Shape::Plane(plane) => Some(Outline::Plane(
+            plane.normal(),
+            plane.normal().dot(plane.origin()),
+        )),
+        Shape::Cuboid(cuboid) => Some(Outline::Edges(edges(cuboid.bounds.corners()))),
+        Shape::Disc(disc) => {
+            let rim = |[c, s]: [f64; 2]| {
+                disc.center + disc.radius * (c * disc.frame.u + s * disc.frame.v)
+            };
+            let points: Vec<_> = turns().map(rim).collect();
+            let next = points.iter().cycle().skip(1);
+            Some(Outline::Edges(
+                points.iter().zip(next).map(|(a, b)| [*a, *b]).collect(),
+            ))
+        }
+        Shape::Placed(placed) => {
+            let to_world = |p: &DVec3| placed.transform.point(*p);
+            match of_shape(&placed.shape)? {
+                Outline::Edges(edges) => {
+                    let edges = edges.iter().map(|[a, b]| [to_world(a), to_world(b)]);
+                    Some(Outline::Edges(edges.collect()))
+                }
+                Outline::Sphere(center, radius) => {
+                    // Three great circles tell how a sphere was stretched.
+                    let circles = [
+                        [DVec3::X, DVec3::Y],
+                        [DVec3::Y, DVec3::Z],
+                        [DVec3::Z, DVec3::X],
+                    ];
+                    let points = circles.into_iter().flat_map(|[u, v]| {
+                        turns().map(move |[c, s]| center + radius * (u * c + v * s))
+                    });
+                    let points: Vec<_> = points.collect();
+                    Some(Outline::Points(points.iter().map(to_world).collect()))
+                }
+                _ => Some(Outline::Edges(edges(shape.bounds()?.corners()))),
+            }
+        }
+    }
+}
+
+/// Cosine and sine, once around.
+pub fn turns() -> impl Iterator<Item = [f64; 2]> {
+    (0..CIRCLE).map(|i| {
+        let angle = std::f64::consts::TAU * i as f64 / CIRCLE as f64;
+        [libm::cos(angle), libm::sin(angle)]
+    })
+}
+
+/// The twelve edges of a box: corners whose numbers differ in one bit.
+fn edges(corners: [DVec3; 8]) -> Vec<[DVec3; 2]> {
+    let pairs = (0..8usize).flat_map(|i| [1, 2, 4].map(|bit| (i, i | bit)));
+    pairs
+        .filter(|(a, b)| a != b)
+        .map(|(a, b)| [corners[a], corners[b]])
+        .collect()
+}

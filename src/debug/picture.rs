@@ -1,0 +1,177 @@
+//! Picture under construction: the rendered pixels of a window onto the image, and the pixel under the cursor.
+
+use super::progressive::{BLOCKS, Missing};
+use super::window::Window;
+use crate::math::Rgb;
+
+/// The rendered part of an image. The cursor is always inside of the window.
+#[derive(Clone, Debug, Default)]
+pub struct PartialPicture {
+    /// Width and height of the whole image.
+    pub size: (u32, u32),
+    /// The part that is kept.
+    pub window: Window,
+    /// The pixel under the cursor.
+    pub cursor: (u32, u32),
+    pixels: Vec<Option<Rgb>>,
+    done: usize,
+}
+
+impl PartialPicture {
+    /// An image of which nothing is known, seen through a window of at most `visible` pixels around the cursor.
+    pub fn new(size: (u32, u32), visible: (u32, u32), cursor: (u32, u32)) -> Self {
+        let size = (size.0.max(1), size.1.max(1));
+        let mut picture = Self {
+            size,
+            window: Window {
+                x: 0,
+                y: 0,
+                width: visible.0.clamp(1, size.0),
+                height: visible.1.clamp(1, size.1),
+            },
+            cursor: (cursor.0.min(size.0 - 1), cursor.1.min(size.1 - 1)),
+            pixels: Vec::new(),
+            done: 0,
+        };
+        picture.pixels = vec![None; picture.window.area()];
+        picture.follow();
+        picture
+    }
+
+    /// A new picture of another size or window, with the cursor at the corresponding pixel; `None` if neither differs.
+    pub fn resized(&self, size: (u32, u32), visible: (u32, u32)) -> Option<Self> {
+        let fitted = Self::new(size, visible, (0, 0));
+        let extent = |p: &Self| (p.size, p.window.width, p.window.height);
+        if extent(&fitted) == extent(self) {
+            return None;
+        }
+        let scaled = |at: u32, old: u32, new: u32| {
+            let middle = (2 * u64::from(at) + 1) * u64::from(new) / (2 * u64::from(old.max(1)));
+            middle as u32
+        };
+        let cursor = (
+            scaled(self.cursor.0, self.size.0, fitted.size.0),
+            scaled(self.cursor.1, self.size.1, fitted.size.1),
+        );
+        Some(Self::new(size, visible, cursor))
+    }
+
+    /// Moves the window so that the cursor is inside, and in its middle if it was outside. True if it moved: then
+    /// pixels are missing.
+    pub fn follow(&mut self) -> bool {
+        let old = self.window;
+        if old.contains(self.cursor) {
+            return false;
+        }
+        let start = |cursor: u32, length: u32, end: u32| {
+            cursor
+                .saturating_sub(length / 2)
+                .min(end.saturating_sub(length))
+        };
+        self.window.x = start(self.cursor.0, old.width, self.size.0);
+        self.window.y = start(self.cursor.1, old.height, self.size.1);
+        // What was known stays known.
+        let before = std::mem::take(&mut self.pixels);
+        let new = self.window;
+        self.pixels = (0..new.height)
+            .flat_map(|y| (0..new.width).map(move |x| (new.x + x, new.y + y)))
+            .map(|at| {
+                before
+                    .get(old.contains(at).then(|| old.index(at))?)
+                    .copied()?
+            })
+            .collect();
+        self.done = self.pixels.iter().flatten().count();
+        true
+    }
+
+    /// Moves the cursor, as far as the image goes.
+    pub fn move_by(&mut self, dx: i32, dy: i32) {
+        let go =
+            |at: u32, by: i32, end: u32| at.saturating_add_signed(by).min(end.saturating_sub(1));
+        self.cursor.0 = go(self.cursor.0, dx, self.size.0);
+        self.cursor.1 = go(self.cursor.1, dy, self.size.1);
+    }
+
+    /// A pixel was rendered.
+    pub fn set(&mut self, at: (u32, u32), color: Rgb) {
+        if self.window.contains(at)
+            && let Some(pixel) = self.pixels.get_mut(self.window.index(at))
+            && pixel.replace(color).is_none()
+        {
+            self.done += 1;
+        }
+    }
+
+    /// Nothing is known any more.
+    pub fn forget(&mut self) {
+        self.pixels.fill(None);
+        self.done = 0;
+    }
+
+    /// The colour of a pixel, if it was rendered and is in the window.
+    pub fn exact(&self, at: (u32, u32)) -> Option<Rgb> {
+        self.window
+            .contains(at)
+            .then(|| self.pixels.get(self.window.index(at)).copied())??
+    }
+
+    /// The colour of a pixel, or of the smallest block around it that is known.
+    pub fn nearest(&self, (x, y): (u32, u32)) -> Option<Rgb> {
+        let Window { x: x0, y: y0, .. } = self.window;
+        if !self.window.contains((x, y)) {
+            return None;
+        }
+        let corner = |block: u32| (x - (x - x0) % block, y - (y - y0) % block);
+        BLOCKS
+            .into_iter()
+            .rev()
+            .find_map(|block| self.exact(corner(block)))
+    }
+
+    /// What is still to be rendered.
+    pub fn missing(&self) -> Missing {
+        Missing {
+            window: self.window,
+            known: self.pixels.iter().map(Option::is_some).collect(),
+        }
+    }
+
+    /// The fraction of the window that is known, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        self.done as f64 / self.window.area().max(1) as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_stand_for_pixels_that_are_not_known() {
+        let mut picture = PartialPicture::new((40, 40), (40, 40), (0, 0));
+        assert_eq!(picture.nearest((17, 17)), None);
+        picture.set((16, 16), Rgb::WHITE);
+        assert_eq!(picture.nearest((17, 17)), Some(Rgb::WHITE));
+        assert_eq!(picture.exact((17, 17)), None);
+        picture.set((17, 17), Rgb::BLACK);
+        assert_eq!(picture.nearest((17, 17)), Some(Rgb::BLACK));
+        assert_eq!(picture.nearest((18, 17)), Some(Rgb::WHITE));
+    }
+
+    #[test]
+    fn the_window_follows_the_cursor_and_keeps_what_it_knows() {
+        let mut picture = PartialPicture::new((100, 80), (20, 10), (5, 5));
+        picture.set((19, 5), Rgb::WHITE);
+        picture.move_by(15, 0);
+        assert!(picture.follow());
+        assert_eq!(picture.window.x, 10);
+        assert_eq!(picture.exact((19, 5)), Some(Rgb::WHITE));
+        assert_eq!(picture.missing().known.iter().filter(|k| **k).count(), 1);
+        picture.move_by(1000, 1000);
+        assert!(picture.follow());
+        assert_eq!(picture.cursor, (99, 79));
+        assert_eq!((picture.window.x, picture.window.y), (80, 70));
+        assert_eq!(picture.progress(), 0.0);
+    }
+}

@@ -1,0 +1,181 @@
+//! Debugging session of a pixel: its recording, the cursor in its log, and the rows of its tree.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::cursor::{Cursor, StepCommand, traversal_end};
+use super::extent;
+use super::rows::TreeRows;
+use crate::geometry::Aabb;
+use crate::scene::Settings;
+use crate::trace::{PixelTrace, RayTree, View, trace_pixel};
+use crate::world::World;
+
+/// The open ray tree of a pixel.
+pub struct Session {
+    /// Scene and accelerator.
+    pub world: Arc<World>,
+    /// As the picture was rendered.
+    pub settings: Settings,
+    /// The recording, with the picked pixel.
+    pub trace: PixelTrace,
+    /// TreeRows of the tree.
+    pub rows: TreeRows,
+    /// A box around all that the drawing of the paths shows.
+    pub extent: Aabb,
+    cursor: Cursor,
+    steps: Range<usize>,
+}
+
+impl Session {
+    /// Traces a pixel with all steps through the acceleration structure.
+    pub fn new(world: Arc<World>, settings: Settings, at: (u32, u32)) -> Self {
+        let trace = trace_pixel(&world, &settings, at, true);
+        Self::of(world, settings, trace)
+    }
+
+    /// The session of a recording, at its first event.
+    pub fn of(world: Arc<World>, settings: Settings, trace: PixelTrace) -> Self {
+        let rows = TreeRows::new(&trace.tree);
+        let mut session = Self {
+            world,
+            settings,
+            trace,
+            rows,
+            extent: Aabb::EMPTY,
+            cursor: Cursor::start(),
+            steps: 0..0,
+        };
+        session.extent = extent::extent(session.view());
+        session.go(Cursor::start());
+        session
+    }
+
+    /// The recording with all that explains it.
+    pub fn view(&self) -> View<'_> {
+        View {
+            world: &self.world,
+            settings: &self.settings,
+            trace: &self.trace,
+        }
+    }
+
+    /// The tree.
+    pub fn tree(&self) -> &RayTree {
+        &self.trace.tree
+    }
+
+    /// The current event.
+    pub fn cursor(&self) -> Cursor {
+        self.cursor
+    }
+
+    /// The ray that the current event belongs to; between the samples there is none.
+    pub fn node(&self) -> Option<u32> {
+        self.tree().node_of_event(self.cursor.position())
+    }
+
+    /// The current row of the tree.
+    pub fn row(&self) -> usize {
+        self.rows.of_event(self.tree(), self.cursor.position())
+    }
+
+    /// The events of the current ray's way through the acceleration structure.
+    pub fn steps(&self) -> Range<usize> {
+        self.steps.clone()
+    }
+
+    /// Follows a command; an error says why the cursor stays.
+    pub fn step(&mut self, command: StepCommand) -> Result<(), String> {
+        if let Some(cursor) = self.cursor.after(command, self.tree()) {
+            self.go(cursor);
+            return Ok(());
+        }
+        match command {
+            StepCommand::NextRay(kind) => Err(format!("no {} ray comes after this", kind.letter())),
+            StepCommand::PreviousRay(kind) => {
+                Err(format!("no {} ray comes before this", kind.letter()))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Moves the cursor, and opens the rows around it.
+    pub fn go(&mut self, cursor: Cursor) {
+        self.cursor = cursor;
+        self.rows.reveal(&self.trace.tree, cursor.position());
+        let first = self
+            .node()
+            .map(|n| self.tree().node(n).first_event as usize + 1);
+        if self.steps.start != first.unwrap_or(0) {
+            self.steps = first.map_or(0..0, |first| first..traversal_end(self.tree(), first));
+        }
+    }
+
+    /// Goes to an event, or to the last one if there are fewer.
+    pub fn go_to_event(&mut self, n: usize) {
+        self.go(Cursor::at(self.tree(), n));
+    }
+
+    /// Goes to a row of the tree.
+    pub fn go_to_row(&mut self, row: usize) {
+        let row = row.min(self.rows.len().saturating_sub(1));
+        if let Some(row) = self.rows.get(row) {
+            self.go(Cursor::at(self.tree(), row.event as usize));
+        }
+    }
+
+    /// Goes to the ray before or behind the current one that is `by` rays away.
+    pub fn go_by_rays(&mut self, by: i32) {
+        let count = self.tree().nodes.len();
+        let node = self.node().unwrap_or(0).saturating_add_signed(by);
+        if count > 0 {
+            let node = node.min(count as u32 - 1);
+            self.go(Cursor::at_node(self.tree(), node));
+        }
+    }
+
+    /// Goes `by` traversal steps of the current ray further; from outside of them, to the nearest.
+    pub fn go_by_steps(&mut self, by: i32) {
+        let Range { start, end } = self.steps;
+        if start == end {
+            return;
+        }
+        let here = self.cursor.position();
+        let nearest = here.clamp(start, end - 1);
+        let by = if nearest == here { by as isize } else { 0 };
+        self.go_to_event(nearest.saturating_add_signed(by).clamp(start, end - 1));
+    }
+
+    /// Hides or shows what hangs on the current ray; a ray that hides nothing more leads to its parent.
+    pub fn fold(&mut self, close: bool) {
+        let Some(row) = self.rows.get(self.row()) else {
+            return;
+        };
+        let tree = &self.trace.tree;
+        let foldable = self.rows.has_children(row);
+        if close && (!foldable || self.rows.is_closed(row)) {
+            if let Some(parent) = TreeRows::parent(tree, row) {
+                self.go(Cursor::at_node(&self.trace.tree, parent));
+            }
+            return;
+        }
+        if !foldable {
+            return;
+        }
+        // On a closed row the current event must be one that it stands for.
+        if close {
+            self.go(Cursor::at(&self.trace.tree, row.event as usize));
+        }
+        self.rows.close(row, close);
+    }
+
+    /// Shows what hangs on the current ray if it is hidden, else hides it.
+    pub fn toggle(&mut self) {
+        if let Some(row) = self.rows.get(self.row())
+            && self.rows.has_children(row)
+        {
+            self.fold(!self.rows.is_closed(row));
+        }
+    }
+}

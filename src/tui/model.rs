@@ -1,0 +1,17 @@
+//! State of the debugger, the messages that change it, and the table of keys. Nothing here draws or does input or output.
+
+pub mod action;
+pub mod bindings;
+pub mod key;
+pub mod layout;
+pub mod message;
+pub mod options;
+pub mod placement;
+pub mod scroll;
+pub mod state;
+
+pub use action::{Action, Context};
+pub use layout::{Pane, Panes, inside};
+pub use message::{Job, JobOutput, Message, Mouse};
+pub use options::Options;
+pub use state::{Model, Overlay, Request};

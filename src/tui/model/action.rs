@@ -1,0 +1,71 @@
+//! Actions that keys can ask for, and the contexts in which keys mean them.
+
+use crate::debug::StepCommand;
+
+/// What a user can ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// Leave at once.
+    Quit,
+    /// Close what lies on top; at the bottom, leave.
+    Back,
+    /// Show or hide the help.
+    Help,
+    /// Stop the program as a shell's Ctrl-Z does; `fg` lets it go on.
+    Suspend,
+    /// Catch the mouse, or leave it to the terminal.
+    Mouse,
+    /// Show or hide which effects the scene calls for.
+    Effects,
+    /// To the effect that stands so many rows below.
+    Choose(i32),
+    /// Leave the chosen effect out, or take it in again.
+    Switch,
+    /// Show or hide the convergence of the pixel under the cursor.
+    Convergence,
+    /// Move the pixel cursor right and down by so many pixels.
+    Move(i32, i32),
+    /// Trace the pixel under the cursor and open its ray tree.
+    Open,
+    /// Move the cursor in the log.
+    Step(StepCommand),
+    /// Ask for the number of an event.
+    GoTo,
+    /// Down (up, if negative) by so many rows of the focused pane.
+    Rows(i32),
+    /// Down (up, if negative) by pages of the focused pane.
+    Pages(i32),
+    /// Show what hangs on the current ray.
+    Unfold,
+    /// Hide what hangs on the current ray; if that is hidden, go to the ray that sent it.
+    Fold,
+    /// Show it if hidden, else hide it.
+    Toggle,
+    /// Give the keys to the next pane.
+    NextPane,
+    /// Give the keys to the pane before.
+    PreviousPane,
+    /// The focused pane alone on the screen, and back.
+    Zoom,
+    /// Look at the scene from the next side.
+    View,
+    /// Take the number that was typed.
+    Accept,
+    /// Delete the last digit.
+    Erase,
+}
+
+/// When a key means what the table says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Context {
+    /// While a pixel is being chosen.
+    Picture,
+    /// While a ray tree is open.
+    Tree,
+    /// While a number is typed.
+    Prompt,
+    /// While the effects are shown.
+    Effects,
+    /// Unless something above says otherwise.
+    Always,
+}

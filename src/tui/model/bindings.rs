@@ -1,0 +1,150 @@
+//! Table of keys: dispatch, the help and the hint line are made from it.
+
+use crossterm::event::{KeyCode, KeyEvent};
+
+use super::action::{Action, Context};
+use super::key::{Key, ch, control, key, shift};
+use crate::debug::StepCommand;
+use crate::probe::RayKind;
+
+/// A line of the table.
+pub struct Binding {
+    /// The keys, and what each asks for.
+    pub keys: &'static [(Key, Action)],
+    /// What they do, in a word or two.
+    pub name: &'static str,
+    /// What they do, in a sentence.
+    pub doc: &'static str,
+    /// When they do it.
+    pub context: Context,
+    /// True if the hint line shows it.
+    pub hint: bool,
+}
+
+const fn row(
+    context: Context,
+    hint: bool,
+    keys: &'static [(Key, Action)],
+    name: &'static str,
+    doc: &'static str,
+) -> Binding {
+    Binding {
+        keys,
+        name,
+        doc,
+        context,
+        hint,
+    }
+}
+
+/// The table.
+#[rustfmt::skip]
+pub const ACTIONS: &[Binding] = {
+    use Action as A;
+    use Context::{Always, Effects, Picture, Prompt, Tree};
+    use KeyCode::{BackTab, Backspace, Down, End, Enter, Esc, Home, Left, PageDown, PageUp, Right, Tab, Up};
+    use StepCommand::{Back, Forward, NextRay, Out, Over, PreviousRay, Start};
+    use RayKind::{Incident, Light, Reflected, Transmitted};
+    &[
+        row(Picture, true, &[(key(Left), A::Move(-1, 0)), (key(Down), A::Move(0, 1)), (key(Up), A::Move(0, -1)), (key(Right), A::Move(1, 0)),
+            (ch('h'), A::Move(-1, 0)), (ch('j'), A::Move(0, 1)), (ch('k'), A::Move(0, -1)), (ch('l'), A::Move(1, 0))],
+            "move", "Move to another pixel (or click it)."),
+        row(Picture, false, &[(shift(Left), A::Move(-8, 0)), (shift(Down), A::Move(0, 8)), (shift(Up), A::Move(0, -8)), (shift(Right), A::Move(8, 0)),
+            (ch('H'), A::Move(-8, 0)), (ch('J'), A::Move(0, 8)), (ch('K'), A::Move(0, -8)), (ch('L'), A::Move(8, 0))],
+            "leap", "Move by 8 pixels."),
+        row(Picture, true, &[(key(Enter), A::Open), (ch(' '), A::Open)], "open its ray tree", "Trace the pixel again and open its ray tree."),
+
+        row(Tree, true, &[(ch('n'), A::Step(Forward))], "next", "One event on."),
+        row(Tree, true, &[(ch('p'), A::Step(Back))], "previous", "One event back: the exact inverse."),
+        row(Tree, true, &[(ch('o'), A::Step(Over))], "over", "Over what begins here: a ray with all that it sends, or a search for the hit."),
+        row(Tree, true, &[(ch('u'), A::Step(Out))], "out", "Out of the ray, to what it brings back."),
+        row(Tree, true, &[(ch('r'), A::Step(NextRay(Reflected))), (ch('R'), A::Step(PreviousRay(Reflected)))], "R ray", "The next (previous) reflected ray."),
+        row(Tree, true, &[(ch('t'), A::Step(NextRay(Transmitted))), (ch('T'), A::Step(PreviousRay(Transmitted)))], "T ray", "The next (previous) transmitted ray."),
+        row(Tree, true, &[(ch('l'), A::Step(NextRay(Light))), (ch('L'), A::Step(PreviousRay(Light)))], "L ray", "The next (previous) ray to a light."),
+        row(Tree, false, &[(ch('i'), A::Step(NextRay(Incident))), (ch('I'), A::Step(PreviousRay(Incident)))], "I ray", "The next (previous) ray from the eye, if the pixel has several."),
+        row(Tree, false, &[(ch('g'), A::Step(Start)), (ch('G'), A::Step(StepCommand::End)), (key(Home), A::Step(Start)), (key(End), A::Step(StepCommand::End))], "start, end", "To the first event, to the last."),
+        row(Tree, false, &[(ch(':'), A::GoTo)], "go to", "To the event whose number you type."),
+        row(Tree, true, &[(key(Tab), A::NextPane), (key(BackTab), A::PreviousPane)], "pane", "Give the arrow keys to the next (previous) pane."),
+        row(Tree, true, &[(ch('z'), A::Zoom)], "zoom", "The focused pane on the whole screen, and back."),
+        row(Tree, false, &[(key(Down), A::Rows(1)), (key(Up), A::Rows(-1)), (ch('j'), A::Rows(1)), (ch('k'), A::Rows(-1))],
+            "rows", "In the tree and the steps: to the next (previous) row. In the details: scroll. In the scene: to the next (previous) ray."),
+        row(Tree, false, &[(key(PageDown), A::Pages(1)), (key(PageUp), A::Pages(-1))], "pages", "The same by a page."),
+        row(Tree, false, &[(ch(' '), A::Toggle), (key(Right), A::Unfold), (key(Left), A::Fold)],
+            "fold", "Show or hide the rays below this one; Left on a closed one goes to its parent."),
+        row(Tree, false, &[(ch('v'), A::View)], "view", "Look at the scene from the top, the front, the side."),
+        row(Tree, false, &[(key(Enter), A::Step(Over))], "over", "As o."),
+
+        row(Prompt, true, &[(key(Enter), A::Accept)], "go", "Go to the event with this number."),
+        row(Prompt, true, &[(key(Backspace), A::Erase)], "erase", "Delete the last digit."),
+
+        row(Effects, true, &[(key(Down), A::Choose(1)), (key(Up), A::Choose(-1)), (ch('j'), A::Choose(1)), (ch('k'), A::Choose(-1))],
+            "choose", "To the next (previous) effect."),
+        row(Effects, true, &[(ch(' '), A::Switch), (key(Enter), A::Switch)], "leave out, take in",
+            "Leave the effect out of the picture, or take it in again."),
+
+        row(Always, true, &[(ch('e'), A::Effects)], "effects", "Which effects the scene calls for, and why; each can be left out."),
+        row(Always, true, &[(ch('c'), A::Convergence)], "convergence",
+            "How the pixel under the cursor nears its value with more samples: a chart that grows."),
+        row(Always, false, &[(ch('m'), A::Mouse)], "mouse", "Leave the mouse to the terminal, to select text, or take it again."),
+        row(Always, true, &[(ch('?'), A::Help)], "help", "This list."),
+        row(Always, true, &[(ch('q'), A::Back), (key(Esc), A::Back)], "back", "One level back; from the picture, quit."),
+        row(Always, false, &[(control('c'), A::Quit)], "quit", "Quit at once."),
+        #[cfg(unix)]
+        row(Always, false, &[(control('z'), A::Suspend)], "suspend", "Back to the shell for a while; fg comes back."),
+    ]
+};
+
+/// What a key asks for in a context.
+pub fn lookup(context: Context, event: KeyEvent) -> Option<Action> {
+    let of = |context| ACTIONS.iter().filter(move |b| b.context == context);
+    of(context)
+        .chain(of(Context::Always))
+        .flat_map(|b| b.keys)
+        .find_map(|(key, action)| key.matches(event).then_some(*action))
+}
+
+impl Binding {
+    /// All its keys.
+    pub fn labels(&self) -> String {
+        let labels: Vec<_> = self.keys.iter().map(|(key, _)| key.label()).collect();
+        labels.join(" ")
+    }
+
+    /// Its first key, and those that belong with it: short enough for the hint line.
+    pub fn short_label(&self) -> String {
+        let arrows: String = self
+            .keys
+            .iter()
+            .map(|(key, _)| key.label())
+            .filter(|label| ["←", "↓", "↑", "→"].contains(&label.as_str()))
+            .collect();
+        match self.keys.first() {
+            _ if !arrows.is_empty() => arrows,
+            Some((key, _)) => key.label(),
+            None => String::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_means_two_things_at_once() {
+        for context in [
+            Context::Picture,
+            Context::Tree,
+            Context::Prompt,
+            Context::Effects,
+        ] {
+            let mut seen: Vec<Key> = Vec::new();
+            let here = |b: &&Binding| b.context == context || b.context == Context::Always;
+            for (key, action) in ACTIONS.iter().filter(here).flat_map(|b| b.keys) {
+                assert!(!seen.contains(key), "{} twice", key.label());
+                seen.push(*key);
+                assert_eq!(lookup(context, key.event()), Some(*action));
+            }
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! Options of the command line for the debugger.
+
+use crate::tracer::picture::ColorLevel;
+
+/// What the command line chooses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// The scene as the user named it, for the command line that traces a pixel again.
+    pub scene: String,
+    /// How many colours the terminal has.
+    pub color: ColorLevel,
+    /// Whether the mouse picks pixels and scrolls; if not, the terminal selects text with it.
+    pub mouse: bool,
+    /// Threads that render the picture; 0: one a core.
+    pub threads: usize,
+    /// Width and height of the image; `None`: as many pixels as the screen shows.
+    pub size: Option<(u32, u32)>,
+}

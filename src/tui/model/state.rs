@@ -1,0 +1,171 @@
+//! Model: everything that a screen shows.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use ratatui::layout::Rect;
+
+use super::action::Context;
+use super::layout::{Pane, Panes, Shown, inside};
+use super::message::Job;
+use super::options::Options;
+use super::placement::Placement;
+use super::scroll::first_shown;
+use crate::debug::{Axis, Convergence, Outline, PartialPicture, Session, outlines};
+use crate::scene::Settings;
+use crate::scene::effects::{Finding, findings};
+use crate::world::World;
+
+/// What lies over the panes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Overlay {
+    /// The help, from this line on.
+    Help(u16),
+    /// The number of an event is typed.
+    GoTo(String),
+    /// The effects, with this one chosen.
+    Effects(usize),
+}
+
+/// What the debugger asks of the program around it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Request {
+    /// To go on.
+    #[default]
+    Stay,
+    /// To be stopped until the shell says `fg`.
+    Suspend,
+    /// To end.
+    Quit,
+}
+
+/// What the user arranged on the screen.
+#[derive(Clone, Copy, Debug)]
+pub struct LayoutState {
+    /// The screen.
+    pub screen: Rect,
+    /// The pane that has the keys while a tree is open.
+    pub focus: Pane,
+    /// True if it stands alone.
+    pub zoom: bool,
+    /// First line of the details that is shown.
+    pub scroll: u16,
+    /// From where the ray paths are seen.
+    pub axis: Axis,
+}
+
+/// The state.
+pub struct Model {
+    /// The scene and its accelerator.
+    pub world: Arc<World>,
+    /// How it is rendered; the size is that of the image.
+    pub settings: Settings,
+    /// What the command line chose.
+    pub options: Options,
+    /// Every effect, and whether the scene calls for it.
+    pub findings: Vec<Finding>,
+    /// The objects as the drawing of the ray paths shows them.
+    pub outlines: Vec<Outline>,
+    /// The image.
+    pub picture: PartialPicture,
+    /// What the pixel under the cursor shows.
+    pub picked: String,
+    /// The open tree.
+    pub session: Option<Box<Session>>,
+    /// Since when a pixel is being traced.
+    pub waiting: Option<Instant>,
+    /// The convergence of the pixel under the cursor, if that is shown.
+    pub convergence: Option<Convergence>,
+    /// What lies over the panes.
+    pub overlay: Option<Overlay>,
+    /// What the user arranged.
+    pub layout: LayoutState,
+    /// One sentence for the user, until the next key.
+    pub message: Option<String>,
+    /// True if the mouse is caught.
+    pub mouse: bool,
+    /// What the main loop is asked to do next.
+    pub request: Request,
+    /// What the worker is asked to do next, in this order.
+    pub jobs: Vec<Job>,
+}
+
+impl Model {
+    /// A world on a screen of this size, with an empty picture.
+    pub fn new(world: World, settings: Settings, options: Options, screen: Rect) -> Self {
+        Self {
+            outlines: outlines(&world.scene),
+            findings: findings(&world.scene),
+            world: Arc::new(world),
+            settings,
+            mouse: options.mouse,
+            options,
+            picture: PartialPicture::default(),
+            picked: String::new(),
+            session: None,
+            waiting: None,
+            convergence: None,
+            overlay: None,
+            layout: LayoutState {
+                screen,
+                focus: Pane::Tree,
+                zoom: false,
+                scroll: 0,
+                axis: Axis::Side,
+            },
+            message: None,
+            request: Request::Stay,
+            jobs: Vec::new(),
+        }
+    }
+
+    /// What the keys mean at present.
+    pub fn context(&self) -> Context {
+        match (&self.overlay, &self.session) {
+            (Some(Overlay::GoTo(_)), _) => Context::Prompt,
+            (Some(Overlay::Effects(_)), _) => Context::Effects,
+            (_, Some(_)) => Context::Tree,
+            (_, None) => Context::Picture,
+        }
+    }
+
+    /// The layout of the screen.
+    pub fn panes(&self) -> Panes {
+        self.panes_on(self.layout.screen)
+    }
+
+    /// The layout of another screen.
+    pub fn panes_on(&self, screen: Rect) -> Panes {
+        let shown = if self.session.is_some() {
+            Shown::Tree {
+                focus: self.layout.focus,
+                zoom: self.layout.zoom,
+            }
+        } else {
+            Shown::Picture
+        };
+        Panes::new(screen, shown)
+    }
+
+    /// Which pixel of the picture lies where.
+    pub fn placement(&self, panes: &Panes) -> Placement {
+        let area = if self.session.is_some() {
+            inside(panes.picture)
+        } else {
+            panes.picture
+        };
+        Placement::new(self.picture.window, area)
+    }
+}
+
+/// The first row of the tree that a pane of `height` rows shows.
+pub fn first_row(session: &Session, height: u16) -> usize {
+    first_shown(session.row(), session.rows.len(), height)
+}
+
+/// The first traversal step, as the index of its event, that a pane of `height` rows shows.
+pub fn first_step(session: &Session, height: u16) -> usize {
+    let steps = session.steps();
+    let here = session.cursor().position().saturating_sub(steps.start);
+    steps.start + first_shown(here, steps.len(), height)
+}

@@ -1,0 +1,16 @@
+//! View: draws the model, and only reads it.
+
+pub mod bars;
+pub mod convergence;
+pub mod details;
+pub mod effects;
+pub mod help;
+pub mod paths;
+pub mod picture;
+pub mod screen;
+pub mod steps;
+pub mod text;
+pub mod theme;
+pub mod tree;
+
+pub use screen::draw;

@@ -1,0 +1,158 @@
+//! Lines around the panes: title, status of the pixel, key hints.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Stylize as _;
+use ratatui::text::{Line, Span};
+
+use super::text::write;
+use super::theme;
+use crate::debug::command_line;
+use crate::debug::effects::deviations;
+use crate::math::Rgb;
+use crate::trace::format::num;
+use crate::tui::model::bindings::ACTIONS;
+use crate::tui::model::{Context, Model, Overlay};
+
+/// How long a pixel may take before a spinner turns, in milliseconds.
+const PATIENCE: u128 = 100;
+
+/// The scene, the pixel, its colour.
+pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let Some(session) = &model.session else {
+        return;
+    };
+    let trace = &session.trace;
+    let [r, g, b] = (trace.pixel.color * session.settings.image.exposure).to_srgb8();
+    let mut line = Line::from(vec![
+        Span::raw(format!(" {}  ", session.world.scene.name)).bold(),
+        Span::raw(format!("pixel ({}, {})  ", trace.x, trace.y)),
+    ]);
+    remark(&mut line, deviations(&session.settings, &model.findings));
+    line.push_span(theme::swatch(
+        trace.pixel.color * session.settings.image.exposure,
+        model.options.color,
+    ));
+    line.push_span(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays));
+    if trace.tree.dropped > 0 {
+        let text = format!(
+            "  the log is full: {} events were not kept",
+            trace.tree.dropped
+        );
+        line.push_span(Span::raw(text).bold());
+    }
+    line.push_span(Span::raw(busy(model)));
+    write(buffer, area.x, area.y, &line, area.width);
+}
+
+/// The pixel under the cursor, and how to trace it again.
+pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let (x, y) = model.picture.cursor;
+    let mut line = Line::from(Span::raw(format!(" ({x}, {y}) ")).bold());
+    remark(&mut line, deviations(&model.settings, &model.findings));
+    match model.picture.exact((x, y)) {
+        Some(color) => {
+            let shown = color * model.settings.image.exposure;
+            let [r, g, b] = shown.to_srgb8();
+            line.push_span(theme::swatch(shown, model.options.color));
+            let Rgb {
+                r: lr,
+                g: lg,
+                b: lb,
+            } = color;
+            let (lr, lg, lb) = (short(lr), short(lg), short(lb));
+            line.push_span(format!(
+                " sRGB ({r}, {g}, {b})  linear ({lr}, {lg}, {lb})  "
+            ));
+        }
+        None => line.push_span("rendering ...  "),
+    }
+    line.push_span(Span::raw(model.picked.clone()));
+    if area.height >= 1 {
+        write(buffer, area.x, area.y, &line, area.width);
+    }
+    if area.height >= 2 {
+        let mut again = Line::from(Span::raw(format!(" {}", rerun(model))).style(theme::dim()));
+        again.push_span(busy(model));
+        write(buffer, area.x, area.y + 1, &again, area.width);
+    }
+}
+
+/// What is not computed as usual: never to be overlooked.
+fn remark(line: &mut Line, deviations: Option<String>) {
+    if let Some(told) = deviations {
+        line.push_span(Span::styled(format!(" {told} "), theme::warning()));
+        line.push_span("  ");
+    }
+}
+
+fn short(x: f64) -> String {
+    let text = format!("{x:.4}");
+    if x.abs() < 1000.0 { text } else { num(x) }
+}
+
+/// What the background is doing.
+fn busy(model: &Model) -> String {
+    if let Some(since) = model.waiting {
+        let waited = since.elapsed().as_millis();
+        if waited >= PATIENCE {
+            let turn = ["-", "\\", "|", "/"][(waited / 100 % 4) as usize];
+            return format!("  {turn} tracing the pixel (Esc gives up)");
+        }
+    }
+    let progress = model.picture.progress();
+    if model.session.is_none() && progress < 1.0 {
+        return format!("  rendering {:.0} %", (progress * 100.0).floor());
+    }
+    String::new()
+}
+
+/// The command that traces the pixel under the cursor as text.
+pub fn rerun(model: &Model) -> String {
+    command_line(
+        &model.options.scene,
+        &model.world.scene,
+        &model.settings,
+        model.picture.cursor,
+    )
+}
+
+/// What the keys do here, as many as there is room for.
+pub fn hint(model: &Model, area: Rect, buffer: &mut Buffer) {
+    if area.is_empty() {
+        return;
+    }
+    let mut line = Line::default();
+    if let Some(Overlay::GoTo(digits)) = &model.overlay {
+        let last = model
+            .session
+            .as_ref()
+            .map_or(0, |s| s.tree().events.len().saturating_sub(1));
+        line.push_span(Span::raw(format!(" event (0 to {last}): {digits}▏ ")).bold());
+    } else if let Some(message) = &model.message {
+        line.push_span(Span::raw(format!(" {message}")).bold());
+    }
+    let context = model.context();
+    let here = |c: Context| c == context || c == Context::Always;
+    let mut bindings: Vec<_> = ACTIONS
+        .iter()
+        .filter(|b| b.hint && here(b.context))
+        .collect();
+    // The way to the rest and the way out are always in sight.
+    bindings.sort_by_key(|b| !matches!(b.name, "help" | "back"));
+    for binding in bindings {
+        let name = if binding.name == "back" && context == Context::Picture {
+            "quit"
+        } else {
+            binding.name
+        };
+        let key = Span::styled(format!(" {}", binding.short_label()), theme::keycap());
+        let name = Span::raw(format!(" {name} "));
+        if line.width() + key.width() + name.width() > usize::from(area.width) {
+            break;
+        }
+        line.push_span(key);
+        line.push_span(name);
+    }
+    write(buffer, area.x, area.y, &line, area.width);
+}

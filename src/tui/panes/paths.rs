@@ -1,0 +1,204 @@
+//! Ray paths pane: the rays in the scene, seen from one side. Objects are outlines, rays have the colours of their kinds.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Color;
+use ratatui::style::Stylize as _;
+use ratatui::symbols::Marker;
+use ratatui::text::{Line, Span};
+use ratatui::widgets::Widget;
+use ratatui::widgets::canvas::{Canvas, Context, Line as Stroke, Points};
+
+use super::text::write;
+use super::theme;
+use crate::debug::extent::{MAX_DRAWN, with_ray};
+use crate::debug::outline::turns;
+use crate::debug::projection::Viewport;
+use crate::debug::{Axis, Outline, Session};
+use crate::math::DVec3;
+use crate::probe::RayKind;
+use crate::trace::{Node, Outcome};
+
+const OUTLINE: Color = Color::Rgb(120, 120, 120);
+
+/// Its title: from where, and how space lies.
+pub fn title(axis: Axis) -> Line<'static> {
+    let text = match axis {
+        Axis::Top => " scene from the top: x →, z ↓ ",
+        Axis::Front => " scene from the front: x →, y ↑ ",
+        Axis::Side => " scene from the side: z ←, y ↑ ",
+    };
+    Line::raw(text)
+}
+
+/// The rays and outlines with their projection.
+struct Drawing<'a> {
+    session: &'a Session,
+    outlines: &'a [Outline],
+    axis: Axis,
+    viewport: Viewport,
+}
+
+/// Draws the scene and the rays of the tree.
+pub fn draw(session: &Session, outlines: &[Outline], axis: Axis, area: Rect, buffer: &mut Buffer) {
+    // Braille: two dots a cell to the right, four down.
+    let (columns, rows) = (2.0 * f64::from(area.width), 4.0 * f64::from(area.height));
+    let current = session.node().map(|id| session.tree().node(id));
+    let extent = current.map_or(session.extent, |node| with_ray(session.extent, node));
+    let Some(viewport) = Viewport::new(extent, axis, columns, rows) else {
+        return;
+    };
+    let drawing = Drawing {
+        session,
+        outlines,
+        axis,
+        viewport,
+    };
+    Canvas::default()
+        .x_bounds(viewport.x)
+        .y_bounds(viewport.y)
+        .marker(Marker::Braille)
+        .paint(|context| drawing.paint(context))
+        .render(area, buffer);
+    legend(area, buffer);
+}
+
+impl Drawing<'_> {
+    fn paint(&self, context: &mut Context) {
+        for outline in self.outlines {
+            self.outline(context, outline);
+        }
+        let tree = self.session.tree();
+        let current = self.session.node();
+        let shown = tree.nodes.iter().take(MAX_DRAWN);
+        for node in shown {
+            let [a, b] = self.viewport.ends(node);
+            self.line(context, a, b, theme::kind_color(node.ray.kind));
+        }
+        if let Some(id) = current {
+            self.thick(context, tree.node(id));
+        }
+        for node in tree.nodes.iter().take(MAX_DRAWN) {
+            if matches!(node.outcome, Some(Outcome::Hit(_))) {
+                let [_, hit] = self.viewport.ends(node);
+                self.print(
+                    context,
+                    hit,
+                    Span::styled("•", theme::kind_style(node.ray.kind)),
+                );
+            }
+        }
+        for light in &self.session.world.scene.lights {
+            if let Some(position) = light.kind.position() {
+                let style = theme::kind_style(RayKind::Light);
+                self.print(context, position, Span::styled("*", style));
+            }
+        }
+        let eye = self.session.world.scene.camera.eye;
+        self.print(context, eye, Span::raw("E").bold());
+        if let Some(id) = current {
+            let node = tree.node(id);
+            let [_, end] = self.viewport.ends(node);
+            let style = theme::kind_style(node.ray.kind);
+            self.print(context, end, Span::styled("●", style));
+        }
+    }
+
+    fn line(&self, context: &mut Context, a: DVec3, b: DVec3, color: Color) {
+        stroke(context, self.axis.project(a), self.axis.project(b), color);
+    }
+
+    /// The current ray: three dots wide.
+    fn thick(&self, context: &mut Context, node: &Node) {
+        let [a, b] = self.viewport.ends(node).map(|p| self.axis.project(p));
+        let steep = (b[1] - a[1]).abs() > (b[0] - a[0]).abs();
+        for by in [-self.viewport.dot, 0.0, self.viewport.dot] {
+            let aside = |p: [f64; 2]| {
+                if steep {
+                    [p[0] + by, p[1]]
+                } else {
+                    [p[0], p[1] + by]
+                }
+            };
+            stroke(
+                context,
+                aside(a),
+                aside(b),
+                theme::kind_color(node.ray.kind),
+            );
+        }
+    }
+
+    fn print(&self, context: &mut Context, at: DVec3, what: Span<'static>) {
+        let [x, y] = self.axis.project(at);
+        if self.viewport.contains([x, y]) {
+            context.print(x, y, what);
+        }
+    }
+
+    fn outline(&self, context: &mut Context, outline: &Outline) {
+        match outline {
+            Outline::Edges(edges) => {
+                for [a, b] in edges {
+                    self.line(context, *a, *b, OUTLINE);
+                }
+            }
+            Outline::Points(points) => {
+                dots(context, points.iter().map(|p| self.axis.project(*p)));
+            }
+            Outline::Sphere(center, radius) => {
+                let [x, y] = self.axis.project(*center);
+                let points: Vec<_> = turns()
+                    .map(|[c, s]| [x + radius * c, y + radius * s])
+                    .collect();
+                let next = points.iter().cycle().skip(1);
+                for (a, b) in points.iter().zip(next) {
+                    stroke(context, *a, *b, OUTLINE);
+                }
+            }
+            Outline::Plane(n, d) => self.plane(context, *n, *d),
+        }
+    }
+
+    /// A plane that is seen from its edge is a line.
+    fn plane(&self, context: &mut Context, n: DVec3, d: f64) {
+        let [a, b] = self.axis.project(n);
+        if a.hypot(b) >= 1.0 - 1e-9 {
+            let [start, end] = self.viewport.line([a, b], d);
+            stroke(context, start, end, OUTLINE);
+        }
+    }
+}
+
+/// A straight line, if its ends can be drawn at all.
+fn stroke(context: &mut Context, a: [f64; 2], b: [f64; 2], color: Color) {
+    if [a, b].concat().iter().all(|v| v.is_finite()) {
+        context.draw(&Stroke::new(a[0], a[1], b[0], b[1], color));
+    }
+}
+
+fn dots(context: &mut Context, points: impl Iterator<Item = [f64; 2]>) {
+    let coords: Vec<_> = points
+        .filter(|p| p.iter().all(|v| v.is_finite()))
+        .map(|[x, y]| (x, y))
+        .collect();
+    context.draw(&Points {
+        coords: &coords,
+        color: OUTLINE,
+    });
+}
+
+/// What the marks mean, in the frame below.
+fn legend(area: Rect, buffer: &mut Buffer) {
+    let mut line = Line::default();
+    for kind in RayKind::ALL {
+        line.push_span(Span::styled(
+            format!(" {}", kind.letter()),
+            theme::kind_style(kind),
+        ));
+    }
+    line.push_span(" E eye * light ");
+    if usize::from(area.width) > line.width() {
+        write(buffer, area.x + 1, area.bottom(), &line, area.width - 1);
+    }
+}

@@ -1,0 +1,59 @@
+//! Text in cells: lines cut at a width, and wrapping by display columns.
+
+use ratatui::buffer::Buffer;
+use ratatui::text::{Line, Span};
+use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
+
+/// Writes a line at a cell of the screen, cut at `width`.
+pub fn write(buffer: &mut Buffer, x: u16, y: u16, line: &Line, width: u16) {
+    if buffer.area.contains((x, y).into()) {
+        buffer.set_line(x, y, line, width.min(buffer.area.right() - x));
+    }
+}
+
+/// Breaks a text at its spaces into lines of at most `width` columns; longer words are cut.
+pub fn wrap(text: &str, width: usize) -> Vec<String> {
+    let options = Options::new(width.max(1))
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit);
+    let lines = textwrap::wrap(text, options).into_iter();
+    lines.map(std::borrow::Cow::into_owned).collect()
+}
+
+/// How many columns a text takes.
+pub fn columns(text: &str) -> usize {
+    Span::raw(text).width()
+}
+
+/// A text with blanks behind it, so many columns wide.
+pub fn padded(text: &str, width: usize) -> String {
+    let blanks = width.saturating_sub(columns(text));
+    format!("{text}{:blanks$}", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wrapped_lines_fit() {
+        assert_eq!(wrap("one two three", 7), ["one two", "three"]);
+        assert_eq!(wrap("abcdefgh ij", 3), ["abc", "def", "gh", "ij"]);
+        assert_eq!(wrap("", 5), [""]);
+        for width in 1..20 {
+            let lines = wrap("the plane is crossed behind the interval", width);
+            assert!(
+                lines.iter().all(|l| l.chars().count() <= width),
+                "{lines:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn wide_letters_take_two_columns() {
+        assert_eq!(wrap("球球球 a", 4), ["球球", "球 a"]);
+        assert_eq!(padded("球", 4), "球  ");
+        assert_eq!(padded("long", 2), "long");
+    }
+}

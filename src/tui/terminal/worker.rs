@@ -1,0 +1,163 @@
+//! Worker: jobs on threads of their own. A new job of a kind stops the one before, whose results are dropped.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread;
+
+use crate::debug::convergence::measure;
+use crate::debug::{Session, progressive};
+use crate::tracer::on_threads;
+use crate::tui::model::{Job, JobOutput, Model};
+
+/// A running job; it stops when it is dropped.
+struct Running {
+    ticket: u64,
+    stop: Arc<AtomicBool>,
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.stop.store(true, Ordering::Relaxed);
+    }
+}
+
+/// A job's end of the channel to the worker.
+struct Channel {
+    ticket: u64,
+    stop: Arc<AtomicBool>,
+    sender: Sender<(u64, JobOutput)>,
+}
+
+impl Channel {
+    fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    fn send(&self, output: JobOutput) {
+        drop(self.sender.send((self.ticket, output)));
+    }
+}
+
+/// At most one job of each kind.
+pub struct Worker {
+    threads: usize,
+    sender: Sender<(u64, JobOutput)>,
+    receiver: Receiver<(u64, JobOutput)>,
+    tickets: u64,
+    picture: Option<Running>,
+    trace: Option<Running>,
+    convergence: Option<Running>,
+}
+
+impl Worker {
+    /// A worker that renders pictures on `threads` threads (0: one a core).
+    pub fn new(threads: usize) -> Self {
+        let (sender, receiver) = channel();
+        Self {
+            threads,
+            sender,
+            receiver,
+            tickets: 0,
+            picture: None,
+            trace: None,
+            convergence: None,
+        }
+    }
+
+    /// Begins a job, or cancels one.
+    pub fn start(&mut self, job: Job, model: &Model) {
+        match job {
+            Job::Render => self.picture = Some(self.render(model)),
+            Job::Trace => self.trace = Some(self.trace(model)),
+            Job::CancelTrace => self.trace = None,
+            Job::Converge => self.convergence = Some(self.converge(model)),
+            Job::CancelConverge => self.convergence = None,
+        }
+    }
+
+    /// Runs a job on a thread.
+    fn spawn(&mut self, job: impl FnOnce(&Channel) + Send + 'static) -> Running {
+        self.tickets += 1;
+        let channel = Channel {
+            ticket: self.tickets,
+            stop: Arc::new(AtomicBool::new(false)),
+            sender: self.sender.clone(),
+        };
+        let running = Running {
+            ticket: channel.ticket,
+            stop: Arc::clone(&channel.stop),
+        };
+        thread::spawn(move || job(&channel));
+        running
+    }
+
+    /// Renders the missing pixels of the picture.
+    fn render(&mut self, model: &Model) -> Running {
+        let (world, settings) = (Arc::clone(&model.world), model.settings);
+        let (missing, threads) = (model.picture.missing(), self.threads);
+        self.spawn(move |channel| {
+            let stopped = || channel.is_stopped();
+            let tell = |pixels| channel.send(JobOutput::Pixels(pixels));
+            if progressive::render(&world, &settings, &missing, threads, &stopped, &tell) {
+                channel.send(JobOutput::Rendered);
+            }
+        })
+    }
+
+    /// Records the pixel under the cursor.
+    fn trace(&mut self, model: &Model) -> Running {
+        let (world, settings) = (Arc::clone(&model.world), model.settings);
+        let at = model.picture.cursor;
+        self.spawn(move |channel| {
+            let session = Session::new(world, settings, at);
+            if !channel.is_stopped() {
+                channel.send(JobOutput::Traced(Box::new(session)));
+            }
+        })
+    }
+
+    /// Traces the pixel under the cursor with more and more samples.
+    fn converge(&mut self, model: &Model) -> Running {
+        let (world, settings) = (Arc::clone(&model.world), model.settings);
+        let at = model.picture.cursor;
+        self.spawn(move |channel| {
+            let stopped = || channel.is_stopped();
+            let tell = |pixel| channel.send(JobOutput::Converged(pixel));
+            let end = on_threads(1, || measure(&world, &settings, at, &stopped, &tell));
+            channel.send(JobOutput::ConvergenceEnd(end));
+        })
+    }
+
+    /// True while any job runs.
+    pub fn is_working(&self) -> bool {
+        [&self.picture, &self.trace, &self.convergence]
+            .into_iter()
+            .any(Option::is_some)
+    }
+
+    /// True while a pixel is traced.
+    pub fn is_tracing(&self) -> bool {
+        self.trace.is_some()
+    }
+
+    /// The next result, if there is one by now.
+    pub fn output(&mut self) -> Option<JobOutput> {
+        loop {
+            let (ticket, output) = self.receiver.try_recv().ok()?;
+            let (job, is_last) = match output {
+                JobOutput::Pixels(_) => (&mut self.picture, false),
+                JobOutput::Rendered => (&mut self.picture, true),
+                JobOutput::Traced(_) => (&mut self.trace, true),
+                JobOutput::Converged(_) => (&mut self.convergence, false),
+                JobOutput::ConvergenceEnd(_) => (&mut self.convergence, true),
+            };
+            if job.as_ref().is_some_and(|job| job.ticket == ticket) {
+                if is_last {
+                    *job = None;
+                }
+                return Some(output);
+            }
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Keys and their help.
+
+use crossterm::event::KeyCode;
+
+use super::support::{app, buffer, key, keys, opened, settle, text};
+use crate::tui::model::bindings::ACTIONS;
+use crate::tui::model::{Context, Request};
+use crate::tui::panes::help;
+use crate::tui::terminal::program::Program;
+
+#[test]
+fn every_key_does_something_and_is_in_the_help() {
+    let help: String = help::lines(82)
+        .iter()
+        .map(|line| line.to_string() + "\n")
+        .collect();
+    for binding in ACTIONS {
+        for (key, action) in binding.keys {
+            let label = key.label();
+            assert!(
+                help.split_whitespace().any(|word| word == label),
+                "{label} is not in\n{help}"
+            );
+            // In at least one of these situations the key must change what is seen, or end the program.
+            let did = situations(binding.context).into_iter().any(|mut app| {
+                let before = buffer(&app);
+                assert!(app.press(key.event()), "{label} is not known");
+                settle(&mut app);
+                app.model.request != Request::Stay || buffer(&app) != before
+            });
+            assert!(did, "{label} ({action:?}) does nothing");
+        }
+    }
+}
+
+fn situations(context: Context) -> Vec<Program> {
+    let at = |letters: &str| {
+        let mut app = opened(120, 36);
+        keys(&mut app, letters);
+        app
+    };
+    match context {
+        Context::Picture | Context::Always => vec![app(80, 24)],
+        Context::Tree => vec![at("gnt"), at("gn ")],
+        Context::Prompt => vec![at(":7")],
+        Context::Effects => vec![at("e"), at("ej")],
+    }
+}
+
+#[test]
+fn help_opens_scrolls_and_closes() {
+    let mut app = opened(80, 24);
+    let before = text(&app);
+    keys(&mut app, "?");
+    let top = text(&app);
+    assert!(top.contains("Choosing a pixel"), "{top}");
+    for _ in 0..100 {
+        key(&mut app, KeyCode::Down);
+    }
+    let bottom = text(&app);
+    assert!(bottom.contains("Ctrl-C"), "{bottom}");
+    for _ in 0..100 {
+        key(&mut app, KeyCode::Up);
+    }
+    assert_eq!(text(&app), top);
+    keys(&mut app, "n");
+    assert_eq!(
+        text(&app),
+        before,
+        "another key closes the help and does no more"
+    );
+}

@@ -1,0 +1,132 @@
+//! Helpers of the screen tests: a program in memory, keys in, screens out.
+
+use std::time::{Duration, Instant};
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Rect};
+
+use crate::tracer::picture::ColorLevel;
+use crate::tui::model::{Action, Message, Mouse, Options};
+use crate::tui::panes;
+use crate::tui::terminal::program::Program;
+use crate::world::World;
+
+impl Program {
+    pub fn act(&mut self, action: Action) {
+        self.send(Message::Action(action));
+    }
+
+    pub fn mouse(&mut self, mouse: Mouse, at: Position) {
+        self.send(Message::Mouse(mouse, at));
+    }
+
+    pub fn press(&mut self, key: KeyEvent) -> bool {
+        self.send(Message::Key(key))
+    }
+
+    pub fn resize(&mut self, screen: Rect) {
+        self.send(Message::Resize(screen));
+    }
+}
+
+pub fn app_with(width: u16, height: u16, change: impl FnOnce(&mut Options)) -> Program {
+    of_scene("whitted", width, height, change)
+}
+
+pub fn of_scene(
+    scene: &str,
+    width: u16,
+    height: u16,
+    change: impl FnOnce(&mut Options),
+) -> Program {
+    let name = scene.to_owned();
+    let scene = crate::scene::load(scene).expect("a built-in scene");
+    let settings = scene.settings;
+    let world = World::new(scene, settings.accel);
+    let mut options = Options {
+        scene: name,
+        color: ColorLevel::True,
+        mouse: true,
+        threads: 2,
+        size: None,
+    };
+    change(&mut options);
+    Program::new(world, settings, options, Rect::new(0, 0, width, height))
+}
+
+pub fn app(width: u16, height: u16) -> Program {
+    let mut app = app_with(width, height, |_| ());
+    settle(&mut app);
+    app
+}
+
+/// Waits until the background has done all its work.
+pub fn settle(app: &mut Program) {
+    let start = Instant::now();
+    while app.is_busy() {
+        app.receive();
+        assert!(
+            start.elapsed() < Duration::from_secs(60),
+            "the background never ends"
+        );
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    app.receive();
+}
+
+pub fn buffer(app: &Program) -> Buffer {
+    let mut terminal = Terminal::new(TestBackend::new(
+        app.model.layout.screen.width,
+        app.model.layout.screen.height,
+    ))
+    .expect("in memory");
+    terminal
+        .draw(|frame| panes::draw(&app.model, frame.area(), frame.buffer_mut()))
+        .expect("in memory");
+    terminal.backend().buffer().clone()
+}
+
+pub fn text(app: &Program) -> String {
+    let buffer = buffer(app);
+    let width = usize::from(buffer.area.width).max(1);
+    let line = |cells: &[ratatui::buffer::Cell]| {
+        cells
+            .iter()
+            .map(ratatui::buffer::Cell::symbol)
+            .collect::<String>()
+    };
+    buffer
+        .content
+        .chunks(width)
+        .map(|cells| line(cells) + "\n")
+        .collect()
+}
+
+pub fn key(app: &mut Program, code: KeyCode) {
+    app.press(KeyEvent::new(code, KeyModifiers::NONE));
+    settle(app);
+}
+
+pub fn keys(app: &mut Program, letters: &str) {
+    for letter in letters.chars() {
+        key(app, KeyCode::Char(letter));
+    }
+}
+
+/// The tree of the pixel in the middle: a glass sphere.
+pub fn opened(width: u16, height: u16) -> Program {
+    let mut app = app(width, height);
+    key(&mut app, KeyCode::Enter);
+    assert!(app.model.session.is_some());
+    app
+}
+
+pub fn position(app: &Program) -> usize {
+    app.model
+        .session
+        .as_ref()
+        .map_or(0, |s| s.cursor().position())
+}

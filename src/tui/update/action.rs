@@ -1,0 +1,96 @@
+//! Actions of the table of keys.
+
+use super::{back, convergence, effects, image, rows};
+use crate::tui::model::{Action, Model, Overlay, Request, inside};
+
+/// Does what a user asks for.
+pub fn act(model: &mut Model, action: Action) {
+    model.message = None;
+    match action {
+        Action::Quit => model.request = Request::Quit,
+        Action::Suspend => model.request = Request::Suspend,
+        Action::Back => back::back(model),
+        Action::Help => {
+            model.overlay = match model.overlay {
+                Some(Overlay::Help(_)) => None,
+                _ => Some(Overlay::Help(0)),
+            }
+        }
+        Action::Mouse => catch_mouse(model),
+        Action::Rows(by) | Action::Move(_, by) if rows::scroll_help(model, by) => {}
+        Action::Pages(by) if rows::scroll_help(model, by * 10) => {}
+        // Any other key closes the help, and does no more.
+        _ if matches!(model.overlay, Some(Overlay::Help(_))) => model.overlay = None,
+        Action::Effects => effects::show_or_hide(model),
+        Action::Choose(by) => effects::choose(model, by),
+        Action::Switch => effects::switch(model),
+        Action::Convergence => convergence::show_or_hide(model),
+        Action::Move(dx, dy) => {
+            let before = model.picture.cursor;
+            model.picture.move_by(dx, dy);
+            if model.picture.cursor != before {
+                image::moved(model);
+            }
+        }
+        Action::Open => image::open(model),
+        _ => in_tree(model, action),
+    }
+}
+
+/// Actions that mean something while a tree is open.
+fn in_tree(model: &mut Model, action: Action) {
+    let layout = &mut model.layout;
+    match action {
+        Action::View => layout.axis = layout.axis.next(),
+        Action::Zoom => layout.zoom = !layout.zoom,
+        Action::NextPane => layout.focus = layout.focus.next(true),
+        Action::PreviousPane => layout.focus = layout.focus.next(false),
+        Action::GoTo => model.overlay = Some(Overlay::GoTo(String::new())),
+        Action::Erase => {
+            if let Some(Overlay::GoTo(digits)) = &mut model.overlay {
+                digits.pop();
+            }
+        }
+        Action::Accept => accept(model),
+        Action::Rows(by) => rows::move_by(model, by),
+        Action::Pages(by) => {
+            let page = inside(model.panes().area(model.layout.focus)).height.max(2) - 1;
+            rows::move_by(model, by * i32::from(page));
+        }
+        _ => in_log(model, action),
+    }
+}
+
+/// Moves the cursor in the log, and opens and closes rows.
+fn in_log(model: &mut Model, action: Action) {
+    let Some(session) = &mut model.session else {
+        return;
+    };
+    match action {
+        Action::Step(command) => model.message = session.step(command).err(),
+        Action::Unfold => session.fold(false),
+        Action::Fold => session.fold(true),
+        Action::Toggle => session.toggle(),
+        _ => {}
+    }
+}
+
+fn catch_mouse(model: &mut Model) {
+    model.mouse = !model.mouse;
+    let text = if model.mouse {
+        "the mouse picks and scrolls"
+    } else {
+        "the mouse is the terminal's: select text with it; m takes it back"
+    };
+    model.message = Some(text.to_owned());
+}
+
+/// Goes to the event whose number was typed.
+fn accept(model: &mut Model) {
+    if let Some(Overlay::GoTo(digits)) = model.overlay.take()
+        && let Some(session) = &mut model.session
+        && let Ok(number) = digits.parse::<usize>()
+    {
+        session.go_to_event(number);
+    }
+}

@@ -1,0 +1,35 @@
+//! Dispatch of messages.
+
+#[cfg(test)]
+use super::action;
+use super::{image, keys, mouse, output};
+use crate::tui::model::{Message, Model};
+
+/// Fits the picture to the screen and begins to render it.
+pub fn start(model: &mut Model) {
+    image::fit(model);
+    let (width, height) = model.picture.size;
+    model.picture.cursor = (width / 2, height / 2);
+    model.picture.follow();
+    image::render(model);
+    image::look(model);
+}
+
+/// Takes in a message. False if it means nothing.
+pub fn update(model: &mut Model, message: Message) -> bool {
+    let position = |model: &Model| model.session.as_ref().map(|s| s.cursor().position());
+    let before = position(model);
+    let mut known = true;
+    match message {
+        #[cfg(test)]
+        Message::Action(action) => action::act(model, action),
+        Message::Key(key) => known = keys::press(model, key),
+        Message::Mouse(mouse, at) => mouse::point(model, mouse, at),
+        Message::Resize(screen) => image::resize(model, screen),
+        Message::Output(output) => output::take_in(model, output),
+    }
+    if position(model) != before {
+        model.layout.scroll = 0;
+    }
+    known
+}

@@ -1,0 +1,81 @@
+//! Image: follows the screen and the cursor, and is rendered anew when the settings change.
+
+use std::time::Instant;
+
+use ratatui::layout::Rect;
+
+use super::convergence;
+use crate::debug::pick::description;
+use crate::tui::model::layout::Shown;
+use crate::tui::model::{Job, Model, Panes};
+
+/// The screen has another size.
+pub fn resize(model: &mut Model, screen: Rect) {
+    if screen != model.layout.screen {
+        model.layout.screen = screen;
+        refit(model);
+    }
+}
+
+/// Fits the image to the screen again and renders it. An open tree keeps the image that it belongs to.
+pub fn refit(model: &mut Model) {
+    if model.session.is_none() && fit(model) {
+        render(model);
+        look(model);
+    }
+}
+
+/// Gives the image the size of its pane, unless the command line chose one; the cursor stays at the corresponding
+/// pixel. True if anything changed.
+pub fn fit(model: &mut Model) -> bool {
+    let pane = Panes::new(model.layout.screen, Shown::Picture).picture;
+    let visible = (
+        u32::from(pane.width).max(1),
+        2 * u32::from(pane.height).max(1),
+    );
+    let size = model.options.size.unwrap_or(visible);
+    let Some(resized) = model.picture.resized(size, visible) else {
+        return false;
+    };
+    model.picture = resized;
+    (model.settings.image.width, model.settings.image.height) = model.picture.size;
+    true
+}
+
+/// Renders what is not known of the image.
+pub fn render(model: &mut Model) {
+    model.jobs.push(Job::Render);
+}
+
+/// The cursor is on another pixel.
+pub fn moved(model: &mut Model) {
+    if model.waiting.take().is_some() {
+        model.jobs.push(Job::CancelTrace);
+    }
+    if model.picture.follow() {
+        render(model);
+    }
+    look(model);
+}
+
+/// Renders everything anew: the settings are others. An open tree is traced again.
+pub fn redo(model: &mut Model) {
+    model.picture.forget();
+    render(model);
+    look(model);
+    if model.session.is_some() || model.waiting.is_some() {
+        open(model);
+    }
+}
+
+/// Picks the object behind the pixel under the cursor, and begins its convergence anew if that is shown.
+pub fn look(model: &mut Model) {
+    convergence::restart(model);
+    model.picked = description(&model.world, &model.settings, model.picture.cursor);
+}
+
+/// Traces the pixel under the cursor.
+pub fn open(model: &mut Model) {
+    model.waiting = Some(Instant::now());
+    model.jobs.push(Job::Trace);
+}

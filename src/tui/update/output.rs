@@ -1,0 +1,30 @@
+//! Results of the worker.
+
+use crate::tui::model::{JobOutput, Model};
+
+/// Takes in a result.
+pub fn take_in(model: &mut Model, output: JobOutput) {
+    match output {
+        JobOutput::Pixels(pixels) => {
+            for (at, color) in pixels {
+                model.picture.set(at, color);
+            }
+        }
+        JobOutput::Rendered => {}
+        JobOutput::Converged(pixel) => {
+            if let Some(convergence) = &mut model.convergence {
+                convergence.pixels.push(pixel);
+            }
+        }
+        JobOutput::ConvergenceEnd(end) => {
+            if let Some(convergence) = &mut model.convergence {
+                convergence.end = Some(end);
+            }
+        }
+        JobOutput::Traced(session) => {
+            model.session = Some(session);
+            model.layout.scroll = 0;
+            model.waiting = None;
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Moves by rows of the focused pane, and scrolling of the help.
+
+use crate::tui::model::{Model, Overlay, Pane, inside};
+use crate::tui::panes::{details, help};
+
+/// Goes down (up, if negative) by so many rows of the focused pane.
+pub fn move_by(model: &mut Model, by: i32) {
+    let details = inside(model.panes().details);
+    let Some(session) = &mut model.session else {
+        return;
+    };
+    match model.layout.focus {
+        Pane::Tree | Pane::Picture => {
+            let row = session.row().saturating_add_signed(by as isize);
+            session.go_to_row(row);
+        }
+        Pane::Details => {
+            let lines = details::lines(session, model.options.color, details.width).len();
+            let last = lines.saturating_sub(usize::from(details.height)) as u16;
+            let scroll = &mut model.layout.scroll;
+            *scroll = scroll.saturating_add_signed(by as i16).min(last);
+        }
+        Pane::Steps => session.go_by_steps(by),
+        Pane::Path => session.go_by_rays(by),
+    }
+}
+
+/// Scrolls the help. False if it is not shown.
+pub fn scroll_help(model: &mut Model, by: i32) -> bool {
+    let last = help::last_scroll(model.layout.screen);
+    let Some(Overlay::Help(scroll)) = &mut model.overlay else {
+        return false;
+    };
+    *scroll = scroll.saturating_add_signed(by as i16).min(last);
+    true
+}
