@@ -80,7 +80,7 @@ impl Session {
         self.rows.of_event(self.tree(), self.cursor.position())
     }
 
-    /// The events of the current ray's way through the acceleration structure.
+    /// The current ray's traversal steps, as indices of their events.
     pub fn steps(&self) -> Range<usize> {
         self.steps.clone()
     }

@@ -7,7 +7,6 @@ pub mod layout;
 pub mod message;
 pub mod options;
 pub mod placement;
-pub mod scroll;
 pub mod state;
 
 pub use action::{Action, Context};

@@ -1,7 +1,6 @@
 //! Update of the model by a message. What takes long is asked of the worker: see [`crate::tui::model::Job`].
 
 mod action;
-mod back;
 mod convergence;
 mod dispatch;
 mod effects;

@@ -11,7 +11,7 @@ pub enum Pane {
     Tree,
     /// The current event, explained.
     Details,
-    /// The way through the acceleration structure.
+    /// The traversal of the acceleration structure.
     Steps,
     /// The rays in the scene.
     Path,

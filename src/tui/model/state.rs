@@ -10,7 +10,6 @@ use super::layout::{Pane, Panes, Shown, inside};
 use super::message::Job;
 use super::options::Options;
 use super::placement::Placement;
-use super::scroll::first_shown;
 use crate::debug::{Axis, Convergence, Outline, PartialPicture, Session, outlines};
 use crate::scene::Settings;
 use crate::scene::effects::{Finding, findings};
@@ -168,4 +167,11 @@ pub fn first_step(session: &Session, height: u16) -> usize {
     let steps = session.steps();
     let here = session.cursor().position().saturating_sub(steps.start);
     steps.start + first_shown(here, steps.len(), height)
+}
+
+/// The first of `count` rows that is shown in a pane of `height` rows, such that row `current` stands in the middle.
+fn first_shown(current: usize, count: usize, height: u16) -> usize {
+    let height = usize::from(height);
+    let last = count.saturating_sub(height);
+    current.saturating_sub(height / 2).min(last)
 }

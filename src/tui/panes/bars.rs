@@ -138,7 +138,7 @@ pub fn hint(model: &Model, area: Rect, buffer: &mut Buffer) {
         .iter()
         .filter(|b| b.hint && here(b.context))
         .collect();
-    // The way to the rest and the way out are always in sight.
+    // Help and back are always in sight.
     bindings.sort_by_key(|b| !matches!(b.name, "help" | "back"));
     for binding in bindings {
         let name = if binding.name == "back" && context == Context::Picture {

@@ -57,7 +57,7 @@ fn give_back() {
     let mut taken = TAKEN.lock().unwrap_or_else(PoisonError::into_inner);
     if std::mem::replace(&mut *taken, false) {
         let mut out = io::stdout();
-        // There is nobody left to tell of errors here.
+        // Errors cannot be shown any more.
         let _ = execute!(
             out,
             EndSynchronizedUpdate,

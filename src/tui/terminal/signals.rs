@@ -1,4 +1,4 @@
-//! Signals that end the program, and the end of a terminal that nobody tells of.
+//! Signals that end the program, and a watch for terminals that are gone without a signal.
 
 use std::io;
 use std::sync::Arc;
@@ -27,7 +27,7 @@ pub fn watch_for_hangup() {
         while io::IsTerminal::is_terminal(&io::stdout()) {
             std::thread::sleep(HANGUP);
         }
-        // If even that fails, there is nobody left to tell.
+        // There is no terminal left for an error message.
         let _ = signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGHUP);
     });
 }

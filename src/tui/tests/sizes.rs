@@ -57,7 +57,7 @@ fn any_size_is_drawn() {
             drop(buffer(&app));
         }
     }
-    // The cursor went through an image of one pixel, so its place is lost; all else is as before.
+    // The cursor went through an image of one pixel, so its position is lost; all else is as before.
     app.act(Action::Move(-200, -200));
     app.act(Action::Move(60, 33));
     assert_eq!(text(&app), before);

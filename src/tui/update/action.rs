@@ -1,7 +1,7 @@
 //! Actions of the table of keys.
 
-use super::{back, convergence, effects, image, rows};
-use crate::tui::model::{Action, Model, Overlay, Request, inside};
+use super::{convergence, effects, image, rows};
+use crate::tui::model::{Action, Job, Model, Overlay, Request, inside};
 
 /// Does what a user asks for.
 pub fn act(model: &mut Model, action: Action) {
@@ -9,7 +9,7 @@ pub fn act(model: &mut Model, action: Action) {
     match action {
         Action::Quit => model.request = Request::Quit,
         Action::Suspend => model.request = Request::Suspend,
-        Action::Back => back::back(model),
+        Action::Back => back(model),
         Action::Help => {
             model.overlay = match model.overlay {
                 Some(Overlay::Help(_)) => None,
@@ -72,6 +72,24 @@ fn in_log(model: &mut Model, action: Action) {
         Action::Fold => session.fold(true),
         Action::Toggle => session.toggle(),
         _ => {}
+    }
+}
+
+/// Closes what lies on top; at the bottom, leaves.
+fn back(model: &mut Model) {
+    if model.overlay.take().is_some() {
+        return;
+    }
+    if model.waiting.take().is_some() {
+        model.jobs.push(Job::CancelTrace);
+    } else if model.convergence.is_some() {
+        convergence::hide(model);
+    } else if model.layout.zoom && model.session.is_some() {
+        model.layout.zoom = false;
+    } else if model.session.take().is_some() {
+        image::refit(model);
+    } else {
+        model.request = Request::Quit;
     }
 }
 
