@@ -23,7 +23,7 @@ pub mod window;
 pub use command_line::command_line;
 pub use convergence::Convergence;
 pub use cursor::{Cursor, StepCommand};
-pub use outline::{Outline, outlines};
+pub use outline::{ObjectOutline, outlines};
 pub use pick::{Picked, pick};
 pub use picture::PartialPicture;
 pub use projection::Axis;

@@ -18,7 +18,7 @@ const CIRCLE: usize = 72;
 
 /// An object as the drawing shows it.
 #[derive(Clone, Debug)]
-pub enum Outline {
+pub enum ObjectOutline {
     /// Edges.
     Edges(Vec<[DVec3; 2]>),
     /// Points of its surface.
@@ -30,7 +30,7 @@ pub enum Outline {
 }
 
 /// The outlines of a scene's objects.
-pub fn outlines(scene: &Scene) -> Vec<Outline> {
+pub fn outlines(scene: &Scene) -> Vec<ObjectOutline> {
     let starts = scene.objects.iter().map(|o| o.first_primitive as usize);
     let ends = starts.clone().skip(1).chain([scene.shapes.len()]);
     starts
@@ -41,7 +41,7 @@ pub fn outlines(scene: &Scene) -> Vec<Outline> {
         .collect()
 }
 
-fn of_object(shapes: &[Shape]) -> Vec<Outline> {
+fn of_object(shapes: &[Shape]) -> Vec<ObjectOutline> {
     let triangles = || {
         shapes.iter().filter_map(|shape| match shape.plain() {
             Shape::Triangle(triangle) => Some(triangle.corners),
@@ -56,44 +56,44 @@ fn of_object(shapes: &[Shape]) -> Vec<Outline> {
         .collect();
     if count > FEW_TRIANGLES {
         let step = (3 * count).div_ceil(MAX_CORNERS);
-        outlines.push(Outline::Points(
+        outlines.push(ObjectOutline::Points(
             triangles().flatten().step_by(step).collect(),
         ));
     } else if count > 0 {
         let edges = triangles().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
-        outlines.push(Outline::Edges(edges.collect()));
+        outlines.push(ObjectOutline::Edges(edges.collect()));
     }
     outlines
 }
 
-fn of_shape(shape: &Shape) -> Option<Outline> {
+fn of_shape(shape: &Shape) -> Option<ObjectOutline> {
     match shape {
         Shape::Triangle(_) => None,
         Shape::Naive(naive) => of_shape(&naive.shape),
-        Shape::Sphere(sphere) => Some(Outline::Sphere(sphere.center, sphere.radius)),
-        Shape::Plane(plane) => Some(Outline::Plane(
+        Shape::Sphere(sphere) => Some(ObjectOutline::Sphere(sphere.center, sphere.radius)),
+        Shape::Plane(plane) => Some(ObjectOutline::Plane(
             plane.normal(),
             plane.normal().dot(plane.origin()),
         )),
-        Shape::Cuboid(cuboid) => Some(Outline::Edges(edges(cuboid.bounds.corners()))),
+        Shape::Cuboid(cuboid) => Some(ObjectOutline::Edges(edges(cuboid.bounds.corners()))),
         Shape::Disc(disc) => {
             let rim = |[c, s]: [f64; 2]| {
                 disc.center + disc.radius * (c * disc.frame.u + s * disc.frame.v)
             };
             let points: Vec<_> = turns().map(rim).collect();
             let next = points.iter().cycle().skip(1);
-            Some(Outline::Edges(
+            Some(ObjectOutline::Edges(
                 points.iter().zip(next).map(|(a, b)| [*a, *b]).collect(),
             ))
         }
         Shape::Placed(placed) => {
             let to_world = |p: &DVec3| placed.transform.point(*p);
             match of_shape(&placed.shape)? {
-                Outline::Edges(edges) => {
+                ObjectOutline::Edges(edges) => {
                     let edges = edges.iter().map(|[a, b]| [to_world(a), to_world(b)]);
-                    Some(Outline::Edges(edges.collect()))
+                    Some(ObjectOutline::Edges(edges.collect()))
                 }
-                Outline::Sphere(center, radius) => {
+                ObjectOutline::Sphere(center, radius) => {
                     // Three great circles tell how a sphere was stretched.
                     let circles = [
                         [DVec3::X, DVec3::Y],
@@ -104,9 +104,9 @@ fn of_shape(shape: &Shape) -> Option<Outline> {
                         turns().map(move |[c, s]| center + radius * (u * c + v * s))
                     });
                     let points: Vec<_> = points.collect();
-                    Some(Outline::Points(points.iter().map(to_world).collect()))
+                    Some(ObjectOutline::Points(points.iter().map(to_world).collect()))
                 }
-                _ => Some(Outline::Edges(edges(shape.bounds()?.corners()))),
+                _ => Some(ObjectOutline::Edges(edges(shape.bounds()?.corners()))),
             }
         }
     }

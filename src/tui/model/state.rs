@@ -10,7 +10,7 @@ use super::layout::{Pane, Panes, Shown, inside};
 use super::message::Job;
 use super::options::Options;
 use super::placement::Placement;
-use crate::debug::{Axis, Convergence, Outline, PartialPicture, Session, outlines};
+use crate::debug::{Axis, Convergence, ObjectOutline, PartialPicture, Session, outlines};
 use crate::scene::Settings;
 use crate::scene::effects::{Finding, findings};
 use crate::world::World;
@@ -64,7 +64,7 @@ pub struct Model {
     /// Every effect, and whether the scene calls for it.
     pub findings: Vec<Finding>,
     /// The objects as the drawing of the ray paths shows them.
-    pub outlines: Vec<Outline>,
+    pub outlines: Vec<ObjectOutline>,
     /// The image.
     pub picture: PartialPicture,
     /// What the pixel under the cursor shows.

@@ -14,7 +14,7 @@ use super::theme;
 use crate::debug::extent::{MAX_DRAWN, with_ray};
 use crate::debug::outline::turns;
 use crate::debug::projection::Viewport;
-use crate::debug::{Axis, Outline, Session};
+use crate::debug::{Axis, ObjectOutline, Session};
 use crate::math::DVec3;
 use crate::probe::RayKind;
 use crate::trace::{Node, Outcome};
@@ -34,13 +34,19 @@ pub fn title(axis: Axis) -> Line<'static> {
 /// The rays and outlines with their projection.
 struct Drawing<'a> {
     session: &'a Session,
-    outlines: &'a [Outline],
+    outlines: &'a [ObjectOutline],
     axis: Axis,
     viewport: Viewport,
 }
 
 /// Draws the scene and the rays of the tree.
-pub fn draw(session: &Session, outlines: &[Outline], axis: Axis, area: Rect, buffer: &mut Buffer) {
+pub fn draw(
+    session: &Session,
+    outlines: &[ObjectOutline],
+    axis: Axis,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     // Braille: two dots a cell to the right, four down.
     let (columns, rows) = (2.0 * f64::from(area.width), 4.0 * f64::from(area.height));
     let current = session.node().map(|id| session.tree().node(id));
@@ -136,17 +142,17 @@ impl Drawing<'_> {
         }
     }
 
-    fn outline(&self, context: &mut Context, outline: &Outline) {
+    fn outline(&self, context: &mut Context, outline: &ObjectOutline) {
         match outline {
-            Outline::Edges(edges) => {
+            ObjectOutline::Edges(edges) => {
                 for [a, b] in edges {
                     self.line(context, *a, *b, OUTLINE);
                 }
             }
-            Outline::Points(points) => {
+            ObjectOutline::Points(points) => {
                 dots(context, points.iter().map(|p| self.axis.project(*p)));
             }
-            Outline::Sphere(center, radius) => {
+            ObjectOutline::Sphere(center, radius) => {
                 let [x, y] = self.axis.project(*center);
                 let points: Vec<_> = turns()
                     .map(|[c, s]| [x + radius * c, y + radius * s])
@@ -156,7 +162,7 @@ impl Drawing<'_> {
                     stroke(context, *a, *b, OUTLINE);
                 }
             }
-            Outline::Plane(n, d) => self.plane(context, *n, *d),
+            ObjectOutline::Plane(n, d) => self.plane(context, *n, *d),
         }
     }
 
