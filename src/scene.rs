@@ -5,7 +5,6 @@
 
 pub mod camera;
 pub mod effects;
-mod flags;
 pub mod gallery;
 pub mod limits;
 mod load;
@@ -15,7 +14,6 @@ pub mod settings;
 
 pub use crate::shading::{Effect, Effects};
 pub use camera::Camera;
-pub use flags::flags;
 pub use gallery::builtin;
 pub use gallery::procedural::list as generated;
 pub use load::{list, load, load_held};
@@ -23,7 +21,8 @@ pub use object::{Object, VertexData};
 pub use read::error::SceneError;
 pub use read::{error, file};
 pub use settings::{
-    Adaptive, AreaLightSampling, Budget, Image, Pilot, PixelSampling, Recursion, Sampling, Settings,
+    Adaptive, AreaLightSampling, Budget, Image, Pilot, PixelSampling, Recursion, Sampling,
+    Settings, flags,
 };
 
 use crate::geometry::{Arithmetic, Hit, Shape};

@@ -86,7 +86,7 @@ impl Cost {
         let given = match &self.reference {
             Some(path) => {
                 let film = reference::read(path, asked.image.exposure)?;
-                reference::check_size(path, &film, self.scene.settings.size)?;
+                reference::check_size(path, &film, self.scene.settings.size())?;
                 Some(film)
             }
             None => None,
@@ -221,17 +221,17 @@ impl Cost {
     /// What all knobs have in common: small pictures, one sample of everything, if nothing else is asked for.
     fn base(&self, asked: Settings, size: (u32, u32)) -> Settings {
         let args = &self.scene.settings;
-        let (width, height) = args.size.unwrap_or(size);
         asked.with(|s| {
-            s.image.width = width;
-            s.image.height = height;
-            s.pixel.samples = args.samples.samples.unwrap_or(1);
-            s.pixel.sampler = if args.samples.sampling.is_some() {
-                asked.pixel.sampler
-            } else {
-                Sampler::Grid
-            };
-            s.light.samples = args.light_samples.unwrap_or(1);
+            (s.image.width, s.image.height) = args.size().unwrap_or(size);
+            if !args.gives("samples") {
+                s.pixel.samples = 1;
+            }
+            if !args.gives("sampling") {
+                s.pixel.sampler = Sampler::Grid;
+            }
+            if !args.gives("light-samples") {
+                s.light.samples = 1;
+            }
         })
     }
 

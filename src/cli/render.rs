@@ -14,7 +14,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::settings::SceneArgs;
-use super::settings::samples::parse_positive;
+use super::settings::check::parse_positive;
 use super::{ColorArg, Done, Failure, again, output};
 use crate::accel::fastest;
 use crate::lab::until::{self, End, Found};
@@ -124,7 +124,7 @@ of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
     fn wanted(&self, settings: Settings) -> Result<Settings, Failure> {
         let mut wanted = settings.with(|s| s.pixel.errors = self.error_map.is_some());
         if self.until_error.is_some() && settings.pixel.sampler == Sampler::Grid {
-            if self.scene.settings.samples.sampling.is_some() {
+            if self.scene.settings.gives("sampling") {
                 return Err(Failure::Usage(
                     "--until-error: regular samples have no chance in them, so nothing tells how wrong they are; \
 choose --sampling random, jittered or sobol"
@@ -133,7 +133,7 @@ choose --sampling random, jittered or sobol"
             }
             wanted.pixel.sampler = Sampler::Sobol;
         }
-        if self.output.is_none() && self.scene.settings.size.is_none() {
+        if self.output.is_none() && !self.scene.settings.gives("size") {
             (wanted.image.width, wanted.image.height) = size_of_terminal(&settings);
         }
         Ok(wanted)

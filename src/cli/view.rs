@@ -30,7 +30,7 @@ impl View {
             color: self.color.level(),
             mouse: !self.no_mouse,
             threads: self.scene.settings.threads,
-            size: self.scene.settings.size,
+            size: self.scene.settings.size(),
         };
         tui::run(world, settings, options).map_err(Failure::Terminal)?;
         Ok(Done::Whole)

@@ -1,8 +1,11 @@
 //! Settings: all that changes the picture but is not the scene itself.
 
+pub mod knob;
+pub mod knobs;
 mod light;
 mod pixel;
 
+pub use knobs::flags;
 pub use light::AreaLightSampling;
 pub use pixel::{Adaptive, Pilot, PixelSampling, Sampling};
 

@@ -1,0 +1,57 @@
+//! Checks of settings that go together, or not.
+
+use crate::cli::Failure;
+use crate::math::Sampler;
+use crate::scene::settings::knob::{Kind, Value};
+use crate::scene::{Pilot, PixelSampling};
+
+/// An error if some of what was asked for does not go together.
+pub fn pixel(pixel: &PixelSampling) -> Result<(), Failure> {
+    let PixelSampling { samples, sets, .. } = *pixel;
+    if sets > samples {
+        return Err(Failure::Usage(format!(
+            "--sets {sets}: {samples} samples cannot be parted into so many (see --samples)"
+        )));
+    }
+    let regular = pixel.sampler == Sampler::Grid;
+    if sets > 1 && regular {
+        return Err(Failure::Usage(format!(
+            "--sets {sets}: regular samples would lie at the same places in each set; choose --sampling random, \
+jittered or sobol"
+        )));
+    }
+    let Some(adaptive) = pixel.adaptive else {
+        return Ok(());
+    };
+    if regular {
+        return Err(Failure::Usage(
+            "--adaptive: a regular grid has no place for more samples; choose --sampling random, jittered or sobol"
+                .to_owned(),
+        ));
+    }
+    let (first, most) = (pixel.samples, adaptive.most);
+    let least = match adaptive.pilot {
+        Pilot::Kept | Pilot::Around => first,
+        Pilot::Apart => first.saturating_mul(2),
+    };
+    if pixel.asks_around() && first < 2 {
+        return Err(Failure::Usage(format!(
+            "--samples {first}: with --pilot around the first samples decide by how much they differ; take at least 2"
+        )));
+    }
+    if most < least {
+        return Err(Failure::Usage(format!(
+            "--max-samples {most} is too few: the first {first} samples (see --samples) with pilot {} take {least}",
+            adaptive.pilot.name()
+        )));
+    }
+    Ok(())
+}
+
+/// A finite number above 0.
+pub fn parse_positive(text: &str) -> Result<f64, String> {
+    match Kind::POSITIVE.parse(text)? {
+        Value::Real(x) => Ok(x),
+        _ => Err("must be a number".to_owned()),
+    }
+}

@@ -1,0 +1,60 @@
+//! Knobs of arithmetic other than our own.
+
+use super::{ROW, words};
+use crate::geometry::{Offset, Precision, Quadratic, TriangleTest};
+use crate::scene::settings::knob::{Field, Kind, Knob, Value};
+
+/// What these rows have in common.
+const ARITHMETIC_ROW: Knob = Knob {
+    heading: "Other arithmetic, to see what goes wrong (see raytree stability)",
+    shows_default: true,
+    ..ROW
+};
+
+/// Rows of the table.
+pub const ROWS: &[Knob] = &[
+    Knob {
+        flag: "triangle",
+        value_name: "TEST",
+        doc: "How triangles are tested",
+        kind: Kind::Choice(|| words(&names!(TriangleTest))),
+        field: choice!(names!(TriangleTest), arithmetic.triangle),
+        json: "arithmetic.triangle",
+        ..ARITHMETIC_ROW
+    },
+    Knob {
+        flag: "offset",
+        value_name: "OFFSET",
+        doc: "Where rays start that leave a surface: none, fixed:EPS (metres along the normal) or bounded",
+        kind: Kind::Text(|text| text.parse::<Offset>().map(|_| ())),
+        field: Field {
+            get: |s| Some(Value::Text(s.arithmetic.offset.to_string())),
+            set: |s, value| {
+                if let Ok(offset) = value.to_string().parse() {
+                    s.arithmetic.offset = offset;
+                }
+            },
+        },
+        json: "arithmetic.offset",
+        steps: &["none", "fixed:1e-9", "fixed:1e-4", "fixed:1e-2", "bounded"],
+        ..ARITHMETIC_ROW
+    },
+    Knob {
+        flag: "quadratic",
+        value_name: "FORMULA",
+        doc: "How spheres are tested",
+        kind: Kind::Choice(|| words(&names!(Quadratic))),
+        field: choice!(names!(Quadratic), arithmetic.quadratic),
+        json: "arithmetic.quadratic",
+        ..ARITHMETIC_ROW
+    },
+    Knob {
+        flag: "precision",
+        value_name: "BITS",
+        doc: "The numbers that shapes are tested with",
+        kind: Kind::Choice(|| words(&names!(Precision))),
+        field: choice!(names!(Precision), arithmetic.precision),
+        json: "arithmetic.precision",
+        ..ARITHMETIC_ROW
+    },
+];
