@@ -1,8 +1,8 @@
 //! The command line: one file a command.
 
-mod again;
-mod building;
+mod build_progress;
 mod color;
+mod command_line;
 mod cost;
 mod effects;
 mod output;
@@ -24,7 +24,7 @@ pub use output::Failure;
 
 /// What a command came to, if nothing was wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Done {
+pub enum Completion {
     /// All of it.
     Whole,
     /// Stopped at a limit; what was made is kept.
@@ -74,8 +74,8 @@ enum Command {
 /// Runs the command line of this process; prints what went wrong.
 pub fn main() -> ExitCode {
     match run(Cli::parse()) {
-        Ok(Done::Whole) => ExitCode::SUCCESS,
-        Ok(Done::Cut) => ExitCode::from(3),
+        Ok(Completion::Whole) => ExitCode::SUCCESS,
+        Ok(Completion::Cut) => ExitCode::from(3),
         // A reader that has seen enough is no error.
         Err(Failure::Output { source, .. }) if source.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
@@ -87,7 +87,7 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn run(cli: Cli) -> Result<Done, Failure> {
+fn run(cli: Cli) -> Result<Completion, Failure> {
     match cli.command {
         None => view::View::default().run(),
         Some(Command::View(command)) => command.run(),

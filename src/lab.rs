@@ -1,22 +1,27 @@
 //! What can be measured about a scene: how far a picture is from the truth, and what it costs to come nearer.
 
+mod arithmetic_sweep;
+pub mod budget;
+pub mod contact_sheet;
+pub mod converge;
 pub mod cost;
 pub mod effort;
+pub mod equal_time;
 pub mod error;
 pub mod flip;
-pub mod front;
-pub mod knobs;
+pub mod measured;
+pub mod parameter;
+pub mod parameters;
+pub mod pareto;
 pub mod plot;
-mod robust;
-pub mod sheet;
 pub mod stability;
-pub mod strip;
-pub mod until;
 
-pub use cost::{Lab, Measured, Sweep};
-pub use effort::{Effort, Price, affordable};
+pub use budget::{CostModel, affordable};
+pub use contact_sheet::contact_sheet;
+pub use cost::Lab;
+pub use effort::Effort;
+pub use equal_time::EqualTime;
 pub use error::{Errors, Reference};
-pub use front::Slopes;
-pub use knobs::{Knob, knobs};
-pub use sheet::sheet;
-pub use strip::Strip;
+pub use measured::{Measured, Slopes, Sweep};
+pub use parameter::Parameter;
+pub use parameters::parameters;

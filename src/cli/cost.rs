@@ -12,12 +12,13 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::again::quoted;
+use super::command_line::quoted;
 use super::settings::SceneArgs;
-use super::{Done, Failure, output};
+use super::{Completion, Failure, output};
 use crate::accel::fastest;
 use crate::lab::{
-    Effort, Knob, Lab, Price, Reference, Strip, Sweep, affordable, knobs, plot, strip,
+    CostModel, Effort, EqualTime, Lab, Parameter, Reference, Sweep, affordable, equal_time,
+    parameters, plot,
 };
 use crate::math::Sampler;
 use crate::scene::limits::MAX_SECONDS;
@@ -76,11 +77,11 @@ pub struct Cost {
 /// What was measured.
 struct Found {
     sweeps: Vec<Sweep>,
-    strips: Vec<Strip>,
+    comparisons: Vec<EqualTime>,
 }
 
 impl Cost {
-    pub fn run(&self) -> Result<Done, Failure> {
+    pub fn run(&self) -> Result<Completion, Failure> {
         let start = Instant::now();
         let (world, asked) = self.scene.load(fastest)?;
         let given = match &self.reference {
@@ -94,10 +95,11 @@ impl Cost {
         let size = given.as_ref().map(|film| (film.width, film.height));
         let base = self.base(asked, size.unwrap_or(SIZE));
         let threads = self.scene.settings.threads;
-        let is_asked =
-            |knob: &Knob| self.only.is_empty() || self.only.iter().any(|name| knob.is_called(name));
+        let is_asked = |parameter: &Parameter| {
+            self.only.is_empty() || self.only.iter().any(|name| parameter.is_called(name))
+        };
         self.check_names(&world, &base)?;
-        let price = Price::of(&world, &base, threads);
+        let model = CostModel::of(&world, &base, threads);
         let runs = usize::from(self.runs);
         let effort = if let Some(most) = self.most {
             Effort {
@@ -107,13 +109,13 @@ impl Cost {
         } else {
             // The rest of the runs if there is time left for them.
             let planned = runs.min(PLANNED);
-            affordable(&world, &base, price, (self.budget, planned), &is_asked)
+            affordable(&world, &base, model, (self.budget, planned), &is_asked)
         };
-        let knobs: Vec<Knob> = knobs(&world, &base, effort)
+        let parameters: Vec<Parameter> = parameters(&world, &base, effort)
             .into_iter()
             .filter(is_asked)
             .collect();
-        let wanted: usize = knobs.iter().map(|k| k.steps.len()).sum();
+        let wanted: usize = parameters.iter().map(|k| k.steps.len()).sum();
         let bar = progress_bar(wanted * (runs + 1));
         let mut lab = Lab {
             world,
@@ -131,7 +133,10 @@ impl Cost {
         };
         let ends =
             [measuring, MEASURING].map(|part| start + Duration::from_secs_f64(self.budget * part));
-        let Found { sweeps, strips } = self.measure_all(&mut lab, &knobs, price, ends, &bar);
+        let Found {
+            sweeps,
+            comparisons,
+        } = self.measure_all(&mut lab, &parameters, model, ends, &bar);
         bar.finish_and_clear();
 
         let again = self.again(&base, &lab.world, effort);
@@ -144,11 +149,15 @@ impl Cost {
             output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
         }
         let mut crops = String::new();
-        if strips.is_empty() && self.strip.is_some() {
+        if comparisons.is_empty() && self.strip.is_some() {
             eprintln!("warning: no strip: nothing that it could show was measured");
         } else if let Some(path) = &self.strip {
-            output::write_png(path, &strip::picture(&strips), base.image.exposure)?;
-            crops = table::strips(&strips, path);
+            output::write_png(
+                path,
+                &equal_time::picture(&comparisons),
+                base.image.exposure,
+            )?;
+            crops = table::comparisons(&comparisons, path);
         }
         let text = if self.json {
             format!("{:#}\n", record::json(&sweeps, &again))
@@ -172,9 +181,9 @@ impl Cost {
                 self.budget,
                 wanted - done
             );
-            return Ok(Done::Cut);
+            return Ok(Completion::Cut);
         }
-        Ok(Done::Whole)
+        Ok(Completion::Whole)
     }
 
     /// Measures group after group until the first of two ends, and renders strips until the second. Each group may take its
@@ -182,20 +191,20 @@ impl Cost {
     fn measure_all(
         &self,
         lab: &mut Lab,
-        knobs: &[Knob],
-        price: Price,
+        parameters: &[Parameter],
+        model: CostModel,
         [measuring, end]: [Instant; 2],
         bar: &ProgressBar,
     ) -> Found {
-        let groups: Vec<Vec<Knob>> = knobs
+        let groups: Vec<Vec<Parameter>> = parameters
             .chunk_by(|a, b| a.group == b.group)
-            .map(<[Knob]>::to_vec)
+            .map(<[Parameter]>::to_vec)
             .collect();
-        let prices: Vec<f64> = groups.iter().map(|g| price.group(g, lab.runs)).collect();
+        let costs: Vec<f64> = groups.iter().map(|g| model.group(g, lab.runs)).collect();
         let (mut sweeps, mut compared) = (Vec::new(), Vec::new());
         for (i, group) in groups.into_iter().enumerate() {
             let left = measuring.saturating_duration_since(Instant::now());
-            let share = prices[i] / prices[i..].iter().sum::<f64>();
+            let share = costs[i] / costs[i..].iter().sum::<f64>();
             let name = group[0].group;
             let told = |step: &str| {
                 bar.set_message(format!("{name}: {step}"));
@@ -211,11 +220,14 @@ impl Cost {
         } else {
             vec![]
         };
-        let strips = wanted
+        let comparisons = wanted
             .into_iter()
-            .filter_map(|(of, reference)| lab.strip(&sweeps[of], &reference, end))
+            .filter_map(|(of, reference)| lab.equal_time(&sweeps[of], &reference, end))
             .collect();
-        Found { sweeps, strips }
+        Found {
+            sweeps,
+            comparisons,
+        }
     }
 
     /// What all knobs have in common: small pictures, one sample of everything, if nothing else is asked for.
@@ -237,11 +249,11 @@ impl Cost {
 
     /// An error if a name is that of no knob of this scene.
     fn check_names(&self, world: &World, base: &Settings) -> Result<(), Failure> {
-        let all = knobs(world, base, Effort::LEAST);
+        let all = parameters(world, base, Effort::LEAST);
         let unknown = self
             .only
             .iter()
-            .find(|name| !all.iter().any(|knob| knob.is_called(name)));
+            .find(|name| !all.iter().any(|parameter| parameter.is_called(name)));
         let Some(unknown) = unknown else {
             return Ok(());
         };

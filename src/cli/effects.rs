@@ -3,7 +3,7 @@
 use clap::Args;
 use serde_json::json;
 
-use super::{Done, Failure, output};
+use super::{Completion, Failure, output};
 use crate::scene::effects::findings;
 
 #[derive(Args)]
@@ -16,7 +16,7 @@ pub struct Effects {
 }
 
 impl Effects {
-    pub fn run(&self) -> Result<Done, Failure> {
+    pub fn run(&self) -> Result<Completion, Failure> {
         let findings = findings(&crate::scene::load(&self.scene)?);
         if self.json {
             let list: Vec<_> = findings

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::Done;
+use super::Completion;
 use crate::scene::SceneError;
 use crate::tracer::Film;
 use crate::tracer::picture::png;
@@ -46,12 +46,12 @@ impl Failure {
 }
 
 /// Writes a result to standard output.
-pub fn to_stdout(bytes: &[u8]) -> Result<Done, Failure> {
+pub fn to_stdout(bytes: &[u8]) -> Result<Completion, Failure> {
     let mut out = io::stdout().lock();
     out.write_all(bytes)
         .and_then(|()| out.flush())
         .map_err(|source| Failure::Output { path: None, source })?;
-    Ok(Done::Whole)
+    Ok(Completion::Whole)
 }
 
 /// Writes a result to standard output or, if there is a path, to a file: first beside it, then renamed, so that a file
@@ -59,7 +59,7 @@ pub fn to_stdout(bytes: &[u8]) -> Result<Done, Failure> {
 pub fn write(
     path: Option<&Path>,
     produce: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> Result<Done, Failure> {
+) -> Result<Completion, Failure> {
     let result = match path {
         None => {
             let mut out = io::BufWriter::new(io::stdout().lock());
@@ -71,11 +71,11 @@ pub fn write(
         path: path.map(Path::to_owned),
         source,
     })?;
-    Ok(Done::Whole)
+    Ok(Completion::Whole)
 }
 
 /// Writes a film to a PNG file.
-pub fn write_png(path: &Path, film: &Film, exposure: f64) -> Result<Done, Failure> {
+pub fn write_png(path: &Path, film: &Film, exposure: f64) -> Result<Completion, Failure> {
     let png = png::encode(film, exposure).map_err(io::Error::other);
     write(Some(path), |out| out.write_all(&png?))
 }

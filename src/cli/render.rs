@@ -15,9 +15,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::settings::SceneArgs;
 use super::settings::check::parse_positive;
-use super::{ColorArg, Done, Failure, again, output};
+use super::{ColorArg, Completion, Failure, command_line, output};
 use crate::accel::fastest;
-use crate::lab::until::{self, End, Found};
+use crate::lab::converge::{Convergence, StopReason, converge};
 use crate::math::Sampler;
 use crate::probe::Silent;
 use crate::scene::Settings;
@@ -66,11 +66,11 @@ struct Made {
     settings: Settings,
     counts: Option<Counts>,
     /// If it was to come near enough, how it did.
-    found: Option<Found>,
+    found: Option<Convergence>,
 }
 
 impl Render {
-    pub fn run(&self) -> Result<Done, Failure> {
+    pub fn run(&self) -> Result<Completion, Failure> {
         let (world, settings) = self.scene.load(fastest)?;
         let settings = self.wanted(settings)?;
         let interrupted = Arc::new(AtomicBool::new(false));
@@ -98,11 +98,11 @@ impl Render {
         }
         let name = &self.scene.scene;
         if let (Some(found), Some(wanted)) = (&made.found, self.until_error) {
-            eprint!("{}", report::tries(found, wanted, (name, &world.scene)));
+            eprint!("{}", report::passes(found, wanted, (name, &world.scene)));
         }
         if let Some(((x, y), sample)) = film.spoiled.first {
             let count = film.spoiled.count;
-            let words = again::words(name, settings, &world.scene);
+            let words = command_line::words(name, settings, &world.scene);
             eprintln!(
                 "warning: samples without a finite radiance: {count}; they count as black. The first is sample {sample} \
 of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
@@ -110,14 +110,20 @@ of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
         }
         if interrupted.load(Ordering::Relaxed) {
             eprintln!("warning: interrupted: the tiles that were not reached are black");
-            return Ok(Done::Cut);
+            return Ok(Completion::Cut);
         }
         if film.cut {
             eprintln!("warning: {CUT}");
-            return Ok(Done::Cut);
+            return Ok(Completion::Cut);
         }
-        let missed = made.found.is_some_and(|found| found.end != End::Reached);
-        Ok(if missed { Done::Cut } else { Done::Whole })
+        let missed = made
+            .found
+            .is_some_and(|found| found.stop != StopReason::Reached);
+        Ok(if missed {
+            Completion::Cut
+        } else {
+            Completion::Whole
+        })
     }
 
     /// The settings with what the flags of this command say.
@@ -163,7 +169,7 @@ choose --sampling random, jittered or sobol"
             found: None,
         };
         if let Some(error) = self.until_error {
-            let mut found = until::until(world, settings, error, threads, &watch);
+            let mut found = converge(world, settings, error, threads, &watch);
             (made.film, made.settings) = (std::mem::take(&mut found.film), found.settings);
             made.found = Some(found);
         } else if self.stats {

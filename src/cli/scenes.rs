@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::{Done, Failure, output};
+use super::{Completion, Failure, output};
 
 #[derive(Args)]
 pub struct Scenes {
@@ -12,7 +12,7 @@ pub struct Scenes {
 }
 
 impl Scenes {
-    pub fn run(&self) -> Result<Done, Failure> {
+    pub fn run(&self) -> Result<Completion, Failure> {
         let built_in = crate::scene::list().into_iter();
         let built_in = built_in.map(|(name, note)| (name.to_owned(), note));
         let generated = crate::scene::generated().into_iter();

@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
-use super::{Done, Failure, output};
+use super::{Completion, Failure, output};
 
 #[derive(Args)]
 pub struct Schema {
@@ -19,7 +19,7 @@ enum Format {
 }
 
 impl Schema {
-    pub fn run(&self) -> Result<Done, Failure> {
+    pub fn run(&self) -> Result<Completion, Failure> {
         let schema = match self.format {
             Format::Scene => crate::scene::file::schema(),
             Format::Tree => crate::trace::document::schema(),

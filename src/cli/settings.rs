@@ -6,7 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _, 
 use clap::error::Error;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
 
-use super::{Failure, building};
+use super::{Failure, build_progress};
 use crate::accel::{AccelKind, fastest};
 use crate::geometry::Shape;
 use crate::scene::effects::effects;
@@ -184,7 +184,7 @@ impl SceneArgs {
             );
         }
         let scene = scene.computed_with(settings.arithmetic);
-        Ok((building::world(scene, settings.accel), settings))
+        Ok((build_progress::world(scene, settings.accel), settings))
     }
 }
 

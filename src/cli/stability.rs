@@ -9,7 +9,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::json;
 
-use super::{ColorArg, Done, Failure, output};
+use super::{ColorArg, Completion, Failure, output};
 use crate::lab::stability::{CASES, Case, Outcome};
 
 #[derive(Args)]
@@ -29,7 +29,7 @@ pub struct Stability {
 }
 
 impl Stability {
-    pub fn run(&self) -> Result<Done, Failure> {
+    pub fn run(&self) -> Result<Completion, Failure> {
         let asked = CASES
             .into_iter()
             .filter(|case| self.case.is_none_or(|only| only.name == case.name));
@@ -40,7 +40,7 @@ impl Stability {
             output::to_stdout(format!("{:#}\n", as_json(&measured)).as_bytes())?;
             // Where the picture is must not stand among the data.
             eprint!("{seen}");
-            return Ok(Done::Whole);
+            return Ok(Completion::Whole);
         }
         let text = as_text(&measured, self.case.is_some()) + &seen;
         output::to_stdout(text.as_bytes())

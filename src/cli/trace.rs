@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::settings::SceneArgs;
-use super::{Done, Failure, output};
+use super::{Completion, Failure, output};
 use crate::accel::clearest;
 use crate::trace::export::{Dot, Svg, Text, json};
 use crate::trace::{View, document, trace_pixel};
@@ -41,7 +41,7 @@ enum Format {
 }
 
 impl Trace {
-    pub fn run(&self) -> Result<Done, Failure> {
+    pub fn run(&self) -> Result<Completion, Failure> {
         let (world, settings) = self.scene.load(clearest)?;
         let (x, y) = self.pixel;
         let (width, height) = settings.size();
@@ -69,13 +69,13 @@ impl Trace {
             eprintln!(
                 "warning: the log is full; {dropped} events were not kept (try a smaller --depth)"
             );
-            return Ok(Done::Cut);
+            return Ok(Completion::Cut);
         }
         if trace.pixel.cut {
             eprintln!("warning: {}", super::render::CUT);
-            return Ok(Done::Cut);
+            return Ok(Completion::Cut);
         }
-        Ok(Done::Whole)
+        Ok(Completion::Whole)
     }
 }
 

@@ -3,7 +3,7 @@
 use clap::Args;
 
 use super::settings::{SceneArgs, SettingsArgs};
-use super::{ColorArg, Done, Failure};
+use super::{ColorArg, Completion, Failure};
 use crate::accel::clearest;
 use crate::tui::{self, Options};
 
@@ -23,7 +23,7 @@ pub struct View {
 }
 
 impl View {
-    pub fn run(&self) -> Result<Done, Failure> {
+    pub fn run(&self) -> Result<Completion, Failure> {
         let (world, settings) = self.scene.load(clearest)?;
         let options = Options {
             scene: self.scene.scene.clone(),
@@ -33,7 +33,7 @@ impl View {
             size: self.scene.settings.size(),
         };
         tui::run(world, settings, options).map_err(Failure::Terminal)?;
-        Ok(Done::Whole)
+        Ok(Completion::Whole)
     }
 }
 

@@ -3,10 +3,11 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use super::arithmetic_sweep;
 use super::error::{Errors, Reference, errors};
-use super::front::{self, Slopes};
-use super::knobs::{Knob, Step};
-use super::robust;
+use super::measured::{Measured, Sweep};
+use super::parameter::{Parameter, Step};
+use super::pareto;
 use crate::accel::{Accel, AccelKind};
 use crate::geometry::Arithmetic;
 use crate::probe::{Probe, Silent};
@@ -14,52 +15,6 @@ use crate::scene::Settings;
 use crate::trace::Counts;
 use crate::tracer::{Film, Flow, render};
 use crate::world::World;
-
-/// One position of a knob, measured.
-#[derive(Clone, Debug)]
-pub struct Measured {
-    /// Its name.
-    pub step: String,
-    /// The samples that it takes, if it is about samples.
-    pub samples: Option<u32>,
-    /// The median time of a render, in seconds.
-    pub seconds: f64,
-    /// The shortest and the longest.
-    pub spread: [f64; 2],
-    /// How many renders were timed, after one that counted.
-    pub runs: usize,
-    /// Seconds that it took to build the acceleration structure, if it is another one.
-    pub built: Option<f64>,
-    /// What was counted: the same on every machine.
-    pub counts: Counts,
-    /// Against the reference, if the picture changes at all.
-    pub errors: Option<Errors>,
-    /// True if nothing else of this group is both cheaper and nearer.
-    pub on_front: bool,
-}
-
-/// A knob with its positions measured.
-#[derive(Clone, Debug)]
-pub struct Sweep {
-    /// The knob.
-    pub knob: Knob,
-    /// Its positions, in order; fewer if time ran out.
-    pub steps: Vec<Measured>,
-    /// The fitted slopes, if there are enough positions with an error.
-    pub slopes: Option<Slopes>,
-}
-
-impl Sweep {
-    /// What was measured, with its slopes.
-    pub fn new(knob: Knob, steps: Vec<Measured>) -> Self {
-        Self {
-            // Between kinds of arithmetic there is no slope.
-            slopes: (!knob.is_robust()).then(|| front::slopes(&steps)).flatten(),
-            knob,
-            steps,
-        }
-    }
-}
 
 /// A scene that is measured.
 pub struct Lab {
@@ -89,7 +44,7 @@ enum Other {
 
 /// A position that is being measured.
 struct Bench<'a> {
-    knob: usize,
+    parameter: usize,
     step: &'a Step,
     other: Option<Other>,
     built: Option<f64>,
@@ -101,8 +56,13 @@ struct Bench<'a> {
 impl Lab {
     /// Measures the knobs of one group until `end`. What is not done by then is left out, the dearest first. Times
     /// are taken in turns, so that other work on the machine meets all alike. `told` hears of everything that begins.
-    pub fn measure(&mut self, knobs: Vec<Knob>, end: Instant, told: &dyn Fn(&str)) -> Vec<Sweep> {
-        let wanted = knobs.first().and_then(|knob| knob.reference);
+    pub fn measure(
+        &mut self,
+        parameters: Vec<Parameter>,
+        end: Instant,
+        told: &dyn Fn(&str),
+    ) -> Vec<Sweep> {
+        let wanted = parameters.first().and_then(|parameter| parameter.reference);
         let rendered = match wanted {
             Some(settings) if self.given.is_none() => {
                 told("the reference");
@@ -112,7 +72,10 @@ impl Lab {
                 swap(&mut other, &mut self.world);
                 let Some((film, _)) = film else {
                     self.reference = None;
-                    return knobs.into_iter().map(|k| Sweep::new(k, vec![])).collect();
+                    return parameters
+                        .into_iter()
+                        .map(|k| Sweep::new(k, vec![]))
+                        .collect();
                 };
                 Some(Reference::new(film, settings.image.exposure))
             }
@@ -122,32 +85,38 @@ impl Lab {
             Some(_) => rendered.or_else(|| self.given.clone()),
             None => None,
         };
-        let mut benches = self.first_renders(&knobs, reference.as_ref(), end, told);
+        let mut benches = self.first_renders(&parameters, reference.as_ref(), end, told);
         self.timed_renders(&mut benches, end, told);
         self.reference = reference;
 
-        let mut steps: Vec<Vec<Measured>> = knobs.iter().map(|_| Vec::new()).collect();
+        let mut steps: Vec<Vec<Measured>> = parameters.iter().map(|_| Vec::new()).collect();
         for bench in benches {
-            steps[bench.knob].extend(bench.measured());
+            steps[bench.parameter].extend(bench.measured());
         }
-        let sweeps = knobs.into_iter().zip(steps);
-        let mut sweeps: Vec<Sweep> = sweeps.map(|(knob, s)| Sweep::new(knob, s)).collect();
-        front::mark(&mut sweeps);
+        let sweeps = parameters.into_iter().zip(steps);
+        let mut sweeps: Vec<Sweep> = sweeps
+            .map(|(parameter, s)| Sweep::new(parameter, s))
+            .collect();
+        pareto::mark(&mut sweeps);
         sweeps
     }
 
     /// Every position once, the first of each knob first: to count, to compare, and to warm up.
     fn first_renders<'a>(
         &mut self,
-        knobs: &'a [Knob],
+        parameters: &'a [Parameter],
         reference: Option<&Reference>,
         end: Instant,
         told: &dyn Fn(&str),
     ) -> Vec<Bench<'a>> {
-        let most = knobs.iter().map(|knob| knob.steps.len()).max().unwrap_or(0);
-        let order = (0..most).flat_map(|s| (0..knobs.len()).map(move |k| (k, s)));
+        let most = parameters
+            .iter()
+            .map(|parameter| parameter.steps.len())
+            .max()
+            .unwrap_or(0);
+        let order = (0..most).flat_map(|s| (0..parameters.len()).map(move |k| (k, s)));
         let mut benches = Vec::new();
-        for (knob, step) in order.filter_map(|(k, s)| Some((k, knobs[k].steps.get(s)?))) {
+        for (parameter, step) in order.filter_map(|(k, s)| Some((k, parameters[k].steps.get(s)?))) {
             if Instant::now() >= end {
                 break;
             }
@@ -156,7 +125,7 @@ impl Lab {
             let other = self.other(&step.settings, step.one_by_one);
             let is_accel = matches!(other, Some(Other::Accel(_)));
             let mut bench = Bench {
-                knob,
+                parameter,
                 step,
                 other,
                 built: is_accel.then(|| start.elapsed().as_secs_f64()),
@@ -198,7 +167,7 @@ impl Lab {
         let (kind, arithmetic) = (settings.accel, settings.arithmetic);
         let scene = &self.world.scene;
         if one_by_one {
-            let scene = robust::one_by_one(scene, arithmetic);
+            let scene = arithmetic_sweep::one_by_one(scene, arithmetic);
             Some(Other::World(Box::new(World::new(scene, kind))))
         } else if arithmetic != self.arithmetic {
             let scene = scene.clone().computed_with(arithmetic);

@@ -1,16 +1,6 @@
-//! How much can be afforded: from three small renders, how many samples fit into a time.
+//! Numbers of samples that are measured.
 
-use std::time::Instant;
-
-use super::knobs::{Knob, knobs};
-use crate::math::Sampler;
-use crate::probe::Silent;
-use crate::scene::Settings;
-use crate::trace::Counts;
-use crate::tracer::{Flow, render};
-use crate::world::World;
-
-/// How many samples are measured.
+/// Numbers of samples that are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// The most samples of a position.
@@ -20,22 +10,13 @@ pub struct Effort {
 }
 
 /// From much to little: the error of a reference is to be small beside those that it judges.
-const EFFORTS: [Effort; 5] = [
+pub const EFFORTS: [Effort; 5] = [
     Effort::of(256),
     Effort::of(64),
     Effort::of(16),
     Effort::of(4),
     Effort::LEAST,
 ];
-
-/// How many times slower than the fastest an accelerator may be; a tree deeper than what was asked for; and so on.
-const OTHER: f64 = 3.0;
-
-/// How many times slower it is to test shapes one by one.
-const ONE_BY_ONE: f64 = 1.5;
-
-/// The part of the time that is planned with: other work may slow down what follows.
-const CAREFUL: f64 = 0.7;
 
 impl Effort {
     /// What is tried if there is time for nothing more.
@@ -55,102 +36,4 @@ impl Effort {
     pub fn samples(self) -> impl Iterator<Item = u32> {
         std::iter::successors(Some(1u32), |n| n.checked_mul(4)).take_while(move |n| *n <= self.most)
     }
-}
-
-/// Seconds that renders take.
-#[derive(Clone, Copy, Debug)]
-pub struct Price {
-    /// A sample of every pixel, without its rays to area lights.
-    sample: f64,
-    /// A ray to each area light from where these arrive.
-    light: f64,
-    /// How many times longer it takes to count.
-    counting: f64,
-}
-
-impl Price {
-    /// Found out by rendering; of large pictures only smaller ones, since that takes time as well.
-    pub fn of(world: &World, base: &Settings, threads: usize) -> Self {
-        const MANY: u32 = 16;
-        const EDGE: u32 = 120;
-        let shrink = base
-            .image
-            .width
-            .max(base.image.height)
-            .div_ceil(EDGE)
-            .max(1);
-        let [width, height] =
-            [base.image.width, base.image.height].map(|edge| edge.div_ceil(shrink));
-        let pixels = |w: u32, h: u32| f64::from(w) * f64::from(h);
-        let larger = pixels(base.image.width, base.image.height) / pixels(width, height);
-        let one = base.with(|s| {
-            s.pixel.samples = 1;
-            s.light.samples = 1;
-            s.light.sampler = Sampler::Sobol;
-            s.image.width = width;
-            s.image.height = height;
-        });
-        let many = one.with(|s| s.light.samples = MANY);
-        let clock = |settings: &Settings, count: bool| {
-            let start = Instant::now();
-            let go_on = |_, _| Flow::Continue;
-            if count {
-                render::<Counts>(world, settings, threads, &go_on);
-            } else {
-                render::<Silent>(world, settings, threads, &go_on);
-            }
-            start.elapsed().as_secs_f64()
-        };
-        clock(&one, false); // to warm up
-        let (counted, few, more) = (clock(&one, true), clock(&one, false), clock(&many, false));
-        let light = ((more - few) / f64::from(MANY - 1)).max(0.0);
-        Self {
-            sample: (few - light).max(1e-6) * larger,
-            light: light * larger,
-            counting: (counted / few).max(1.0),
-        }
-    }
-
-    /// What a picture takes.
-    pub fn picture(self, settings: &Settings) -> f64 {
-        let lights = self.light * f64::from(settings.light.samples);
-        f64::from(settings.pixel.samples) * (self.sample + lights)
-    }
-
-    /// What the knobs of a group take, with their positions rendered `runs` times and counted once, and the reference.
-    pub fn group(self, knobs: &[Knob], runs: usize) -> f64 {
-        let each = self.counting + runs as f64;
-        let steps: f64 = knobs
-            .iter()
-            .flat_map(|knob| knob.steps.iter().map(move |step| (knob, step)))
-            .map(|(knob, step)| {
-                let factor = match knob.theory {
-                    Some(_) => 1.0,
-                    None if knob.is_robust() => ONE_BY_ONE,
-                    None => OTHER,
-                };
-                self.picture(&step.settings) * each * factor
-            })
-            .sum();
-        let reference = knobs.first().and_then(|knob| knob.reference);
-        steps + reference.map_or(0.0, |settings| self.picture(&settings))
-    }
-}
-
-/// The largest effort with which what is asked for fits into `seconds`; the least one if none does.
-pub fn affordable(
-    world: &World,
-    base: &Settings,
-    price: Price,
-    (seconds, runs): (f64, usize),
-    asked: &dyn Fn(&Knob) -> bool,
-) -> Effort {
-    let fits = |effort: &Effort| {
-        let mut knobs = knobs(world, base, *effort);
-        knobs.retain(|knob| asked(knob));
-        let groups = knobs.chunk_by(|a, b| a.group == b.group);
-        groups.map(|group| price.group(group, runs)).sum::<f64>() <= CAREFUL * seconds
-    };
-    let found = EFFORTS.into_iter().find(fits);
-    found.unwrap_or(Effort::LEAST)
 }

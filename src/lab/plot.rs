@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::cost::Sweep;
+use super::measured::Sweep;
 use crate::trace::export::xml::escape;
 
 const WIDTH: f64 = 720.0;
@@ -18,7 +18,7 @@ const COLORS: [&str; 7] = [
 pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
     let lines: Vec<(String, Vec<[f64; 2]>)> = sweeps
         .iter()
-        .map(|sweep| (sweep.knob.name(), points(sweep)))
+        .map(|sweep| (sweep.parameter.name(), points(sweep)))
         .filter(|(_, points)| !points.is_empty())
         .collect();
     let all = || lines.iter().flat_map(|(_, points)| points);

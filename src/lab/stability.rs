@@ -4,15 +4,15 @@
 //! from `expansion`, which is exact; nothing is quoted. The cases are the same in every run. A picture of a case is traced
 //! with the same functions.
 
+mod coplanar;
 mod expansion;
-mod eye;
 mod meshes;
 mod optics;
 mod picture;
+mod pinhole;
 mod polygons;
 mod spheres;
 mod surfaces;
-mod twins;
 
 pub use picture::{Panel, Picture};
 
@@ -64,7 +64,7 @@ pub const CASES: [Case; 9] = [
     meshes::SHARED_EDGES,
     meshes::SHARED_CORNERS,
     polygons::T_JUNCTIONS,
-    twins::COPLANAR_TWINS,
+    coplanar::COPLANAR_TWINS,
     spheres::FAR_SPHERE,
     spheres::NEAR_SPHERE,
     optics::CRITICAL_ANGLE,

@@ -28,7 +28,7 @@ pub fn lines(sweeps: &[Sweep]) -> String {
         .zip(sweeps)
         .map(|(letter, sweep)| {
             let points = plot::points(sweep).into_iter().map(|[x, y]| (x, y));
-            (letter, sweep.knob.name(), points.collect())
+            (letter, sweep.parameter.name(), points.collect())
         })
         .filter(|(_, _, points): &Plotted| !points.is_empty())
         .collect();

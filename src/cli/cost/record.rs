@@ -21,7 +21,7 @@ pub fn json(sweeps: &[Sweep], again: &str) -> Value {
     };
     let sweep = |s: &Sweep| {
         json!({
-            "knob": s.knob.name(), "group": s.knob.group, "theory": s.knob.theory,
+            "knob": s.parameter.name(), "group": s.parameter.group, "theory": s.parameter.theory,
             "steps": s.steps.iter().map(step).collect::<Vec<_>>(),
             "slope_over_samples": s.slopes.and_then(|slopes| slopes.samples),
             "slope_over_rays": s.slopes.map(|slopes| slopes.rays),
@@ -50,8 +50,8 @@ pub fn csv(sweeps: &[Sweep]) -> String {
         let _ = writeln!(
             out,
             "{},{},{},{},{low},{high},{},{},{},{},{errors},{}",
-            sweep.knob.group,
-            sweep.knob.way.unwrap_or_default(),
+            sweep.parameter.group,
+            sweep.parameter.variant.unwrap_or_default(),
             step.step,
             step.seconds,
             step.runs,

@@ -3,13 +3,13 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use crate::lab::{Measured, Slopes, Strip, Sweep};
+use crate::lab::{EqualTime, Measured, Slopes, Sweep};
 
 /// The tables, a group of knobs each. (Writing to a string cannot fail.)
 pub fn text(sweeps: &[Sweep]) -> String {
     let mut out = String::new();
-    for group in sweeps.chunk_by(|a, b| a.knob.group == b.knob.group) {
-        let head = group[0].knob.group;
+    for group in sweeps.chunk_by(|a, b| a.parameter.group == b.parameter.group) {
+        let head = group[0].parameter.group;
         let _ = writeln!(
             out,
             "\n  {head:15} {:>7} {:>8} {:>6} {:>6} {:>6} {:>8} {:>6} {:>8}",
@@ -17,17 +17,21 @@ pub fn text(sweeps: &[Sweep]) -> String {
         );
         for sweep in group {
             for step in &sweep.steps {
-                let way = sweep
-                    .knob
-                    .way
-                    .map_or(String::new(), |way| format!("{way} "));
-                let _ = writeln!(out, "{}", row(&format!("{way}{}", step.step), step));
+                let variant = sweep
+                    .parameter
+                    .variant
+                    .map_or(String::new(), |variant| format!("{variant} "));
+                let _ = writeln!(out, "{}", row(&format!("{variant}{}", step.step), step));
             }
             if sweep.steps.is_empty() {
-                let _ = writeln!(out, "  {}: there was no time for it", sweep.knob.name());
+                let _ = writeln!(
+                    out,
+                    "  {}: there was no time for it",
+                    sweep.parameter.name()
+                );
             }
         }
-        if group[0].knob.is_robust() {
+        if group[0].parameter.is_arithmetic() {
             let _ = writeln!(out, "  shapes are tested one by one in all of these");
         }
         for line in sentences(group) {
@@ -38,17 +42,17 @@ pub fn text(sweeps: &[Sweep]) -> String {
 }
 
 /// What the crops in a file are, from left to right.
-pub fn strips(strips: &[Strip], path: &Path) -> String {
+pub fn comparisons(comparisons: &[EqualTime], path: &Path) -> String {
     let mut out = format!("  crops in {}, from left to right:\n", path.display());
-    for strip in strips {
-        let [x, y, w, h] = strip.crop;
+    for equal_time in comparisons {
+        let [x, y, w, h] = equal_time.crop;
         let _ = writeln!(
             out,
             "  {}, {:.1} ms each, {w}x{h} pixels from ({x}, {y}):",
-            strip.group,
-            strip.seconds * 1e3
+            equal_time.group,
+            equal_time.seconds * 1e3
         );
-        for tile in &strip.tiles {
+        for tile in &equal_time.tiles {
             let _ = writeln!(
                 out,
                 "    {:17} {:>7.1} ms, RMSE {:.1e}",
@@ -100,16 +104,16 @@ pub fn short(count: u64) -> String {
 fn sentences(group: &[Sweep]) -> Vec<String> {
     let found: Vec<(&Sweep, Slopes)> = group
         .iter()
-        .filter_map(|sweep| sweep.knob.theory.and(Some((sweep, sweep.slopes?))))
+        .filter_map(|sweep| sweep.parameter.theory.and(Some((sweep, sweep.slopes?))))
         .collect();
-    let way = |sweep: &Sweep| sweep.knob.way.unwrap_or(sweep.knob.group);
+    let variant = |sweep: &Sweep| sweep.parameter.variant.unwrap_or(sweep.parameter.group);
     let costs: Vec<String> = found
         .iter()
         .filter_map(|(sweep, slopes)| {
             Some(format!(
                 "{:.1}x the time with {}",
                 slopes.halving()?,
-                way(sweep)
+                variant(sweep)
             ))
         })
         .collect();
@@ -124,12 +128,12 @@ fn sentences(group: &[Sweep]) -> Vec<String> {
         let samples = slopes.samples.map_or(String::new(), |s| {
             format!(
                 "{s:.2} over samples (theory: {}), ",
-                sweep.knob.theory.unwrap_or_default()
+                sweep.parameter.theory.unwrap_or_default()
             )
         });
         lines.push(format!(
             "slope of log error, {}: {samples}{:.2} over rays, {:.2} over time",
-            way(sweep),
+            variant(sweep),
             slopes.rays,
             slopes.seconds
         ));

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use crate::cli::{Done, Failure, output};
+use crate::cli::{Completion, Failure, output};
 use crate::math::Rgb;
 use crate::tracer::Film;
 use crate::tracer::picture::{pfm, png};
 
 /// The film as a PFM file if the name ends so, else as a PNG file.
-pub fn picture(path: &Path, film: &Film, exposure: f64) -> Result<Done, Failure> {
+pub fn picture(path: &Path, film: &Film, exposure: f64) -> Result<Completion, Failure> {
     let is_pfm = path
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("pfm"));
@@ -21,7 +21,7 @@ pub fn picture(path: &Path, film: &Film, exposure: f64) -> Result<Done, Failure>
 }
 
 /// Each pixel's standard error as grey: in a PFM file the number itself, in a PNG file white for the largest.
-pub fn errors(path: &Path, film: &Film) -> Result<Done, Failure> {
+pub fn errors(path: &Path, film: &Film) -> Result<Completion, Failure> {
     let finite = film.errors.iter().filter(|error| error.is_finite());
     let largest = finite.fold(0.0f64, |most, error| most.max(*error));
     let grey = |error: &f64| Rgb::grey(error.min(f64::MAX));
@@ -35,7 +35,7 @@ pub fn errors(path: &Path, film: &Film) -> Result<Done, Failure> {
 }
 
 /// The samples of each pixel: black for the fewest, white for the most, and even steps where they double.
-pub fn samples(path: &Path, film: &Film) -> Result<Done, Failure> {
+pub fn samples(path: &Path, film: &Film) -> Result<Completion, Failure> {
     let [fewest, most] = range(film).map(|n| f64::from(n.max(1)));
     let shade = |n: &u32| {
         let doubled = libm::log2(f64::from((*n).max(1)) / fewest);

@@ -1,6 +1,6 @@
 //! What a render counted, and how long it took.
 
-use crate::cli::{Done, Failure, output};
+use crate::cli::{Completion, Failure, output};
 use crate::scene::Settings;
 use crate::trace::Counts;
 
@@ -10,7 +10,7 @@ pub fn tell(
     counts: &Counts,
     seconds: f64,
     json: bool,
-) -> Result<Done, Failure> {
+) -> Result<Completion, Failure> {
     let Counts {
         incident,
         light,
@@ -45,5 +45,5 @@ pub fn tell(
         "time    {seconds:.3} s ({:.2} million rays/s)",
         rays as f64 / seconds / 1e6
     );
-    Ok(Done::Whole)
+    Ok(Completion::Whole)
 }

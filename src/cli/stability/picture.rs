@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use crate::cli::{Failure, output};
-use crate::lab::sheet;
+use crate::lab::contact_sheet;
 use crate::lab::stability::{Panel, Picture};
 use crate::math::Rgb;
 use crate::tracer::picture::{ColorLevel, text};
@@ -75,7 +75,7 @@ pub fn to_file(picture: &Picture, path: &Path) -> Result<String, Failure> {
     let panels: Vec<Panel> = (picture.draw)((EDGE, EDGE));
     let names: Vec<String> = panels.iter().map(|p| p.arithmetic.clone()).collect();
     let films = panels.into_iter().map(|p| p.film).collect();
-    output::write_png(path, &sheet(&[films], ZOOM), 1.0)?;
+    output::write_png(path, &contact_sheet(&[films], ZOOM), 1.0)?;
     Ok(format!(
         "\n{}, from left to right:\n  {}\n{}\n",
         path.display(),

@@ -1,7 +1,7 @@
 //! Convergence curve of a pixel, its slope, its range and its last point in words.
 
 use super::sampling::with_samples;
-use crate::lab::front::fit;
+use crate::lab::pareto::fit;
 use crate::math::Sampler;
 use crate::scene::{Sampling, Settings};
 use crate::tracer::Pixel;

@@ -68,10 +68,8 @@ impl<'de> Deserialize<'de> for SettingsFile {
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<SettingsFile, A::Error> {
                 let mut note = None;
                 let mut given: Vec<Option<Option<Value>>> = vec![None; KEYS.len()];
-                while let Some(key) = map.next_key::<String>()? {
-                    let Some(index) = KEYS.iter().position(|known| *known == key) else {
-                        return Err(A::Error::unknown_field(&key, &KEYS));
-                    };
+                while let Some(key) = map.next_key_seed(Name(Key))? {
+                    let index = KEYS.iter().position(|known| *known == key).unwrap_or(0);
                     if given[index].is_some() {
                         return Err(A::Error::duplicate_field(KEYS[index]));
                     }
@@ -143,33 +141,64 @@ impl<'de> Visitor<'de> for OneOf {
     }
 
     fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<Self::Value, A::Error> {
-        let (name, content) = data.variant_seed(Variant(self.0))?;
+        let (name, content) = data.variant_seed(Name(self.0))?;
         content.unit_variant()?;
         Ok(Some(Value::Text(name)))
     }
 }
 
-/// Reads the name of a word.
-struct Variant(Vec<Word>);
+/// Reads a name, and checks it.
+struct Name<T>(T);
 
-impl<'de> DeserializeSeed<'de> for Variant {
-    type Value = String;
+/// Names that are possible at one point of a file.
+trait Names {
+    /// An error if a name is none of them.
+    fn check<E: Error>(&self, name: &str) -> Result<(), E>;
+}
 
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<String, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        if self.0.iter().any(|word| word.name == name) {
-            return Ok(name);
+/// Names of fields.
+struct Key;
+
+impl Names for Key {
+    fn check<E: Error>(&self, name: &str) -> Result<(), E> {
+        let known = KEYS.contains(&name);
+        known
+            .then_some(())
+            .ok_or_else(|| E::unknown_field(name, &KEYS))
+    }
+}
+
+impl Names for Vec<Word> {
+    fn check<E: Error>(&self, name: &str) -> Result<(), E> {
+        if self.iter().any(|word| word.name == name) {
+            return Ok(());
         }
-        let known: Vec<String> = self
-            .0
-            .iter()
-            .map(|word| format!("`{}`", word.name))
-            .collect();
+        let known: Vec<String> = self.iter().map(|word| format!("`{}`", word.name)).collect();
         let message = format!(
             "unknown variant `{name}`, expected one of {}",
             known.join(", ")
         );
-        Err(D::Error::custom(message))
+        Err(E::custom(message))
+    }
+}
+
+impl<'de, T: Names> DeserializeSeed<'de> for Name<T> {
+    type Value = String;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<String, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl<T: Names> Visitor<'_> for Name<T> {
+    type Value = String;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a name")
+    }
+
+    fn visit_str<E: Error>(self, name: &str) -> Result<String, E> {
+        self.0.check(name).map(|()| name.to_owned())
     }
 }
 

@@ -116,7 +116,6 @@ pub const ROWS: &[Knob] = &[
         },
         json: "adaptive.threshold",
         implies_others: true,
-        steps: &["0.1", "0.03", "0.01", "0.003"],
         ..ROW
     },
     Knob {

@@ -1,6 +1,7 @@
 //! What measurements say together: the Pareto front, and slopes on log axes.
 
-use super::cost::{Measured, Sweep};
+use super::measured::{Measured, Slopes, Sweep};
+use super::parameter::Parameter;
 
 /// Errors below this are rounding, not lack of samples.
 const EXACT: f64 = 1e-12;
@@ -8,32 +9,28 @@ const EXACT: f64 = 1e-12;
 /// How many of the most accurate positions tell what the next step takes.
 const LAST: usize = 3;
 
-/// The slopes of log error, fitted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slopes {
-    /// Over log samples, if the knob is about samples: what theory speaks of.
-    pub samples: Option<f64>,
-    /// Over log rays.
-    pub rays: f64,
-    /// Over log seconds, of the last three positions: with few samples, it is other things that take the time.
-    pub seconds: f64,
-}
-
-impl Slopes {
-    /// How many times the time is needed for half the error; `None` if it does not fall.
-    pub fn halving(&self) -> Option<f64> {
-        (self.seconds < -0.05).then(|| libm::exp2(-1.0 / self.seconds))
+impl Sweep {
+    /// What was measured, with its slopes.
+    pub fn new(parameter: Parameter, steps: Vec<Measured>) -> Self {
+        Self {
+            // Between kinds of arithmetic there is no slope.
+            slopes: (!parameter.is_arithmetic())
+                .then(|| slopes(&steps))
+                .flatten(),
+            parameter,
+            steps,
+        }
     }
 }
 
 /// Marks what nothing else in these sweeps, which share a reference, beats: no other is at once as cheap and as near,
 /// and better in one of the two. Rays are the price, since they are the same in every run.
 pub fn mark(sweeps: &mut [Sweep]) {
-    let price = |s: &Measured| s.errors.map(|e| (s.counts.rays(), e.rmse));
+    let model = |s: &Measured| s.errors.map(|e| (s.counts.rays(), e.rmse));
     let all = sweeps.iter().flat_map(|s| &s.steps);
-    let points: Vec<(u64, f64)> = all.filter_map(price).collect();
+    let points: Vec<(u64, f64)> = all.filter_map(model).collect();
     for step in sweeps.iter_mut().flat_map(|s| &mut s.steps) {
-        let Some((rays, rmse)) = price(step) else {
+        let Some((rays, rmse)) = model(step) else {
             continue;
         };
         step.on_front = !points
@@ -74,7 +71,6 @@ pub fn fit(points: &[[f64; 2]]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::super::error::Errors;
-    use super::super::knobs::Knob;
     use super::*;
     use crate::trace::Counts;
 
@@ -99,14 +95,14 @@ mod tests {
     }
 
     fn sweep(steps: &[Measured]) -> Sweep {
-        let knob = Knob {
+        let parameter = Parameter {
             group: "knob",
-            way: None,
+            variant: None,
             steps: Vec::new(),
             reference: None,
             theory: None,
         };
-        Sweep::new(knob, steps.to_vec())
+        Sweep::new(parameter, steps.to_vec())
     }
 
     #[test]

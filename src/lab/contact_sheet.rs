@@ -7,14 +7,14 @@ use crate::tracer::Film;
 const GAP: u32 = 4;
 
 /// Rows of pictures on grey, each pixel `zoom` times as large. All have the room of the largest.
-pub fn sheet(rows: &[Vec<Film>], zoom: u32) -> Film {
+pub fn contact_sheet(rows: &[Vec<Film>], zoom: u32) -> Film {
     let all = || rows.iter().flatten();
     let size = |n: u32, edge: u32| n * (edge * zoom + GAP) + GAP;
     let wide = all().map(|film| film.width).max().unwrap_or(0);
     let high = all().map(|film| film.height).max().unwrap_or(0);
     let most = rows.iter().map(Vec::len).max().unwrap_or(0);
     let (width, height) = (size(most as u32, wide), size(rows.len() as u32, high));
-    let mut sheet = Film {
+    let mut contact_sheet = Film {
         width,
         height,
         pixels: vec![Rgb::grey(0.5); width as usize * height as usize],
@@ -26,12 +26,12 @@ pub fn sheet(rows: &[Vec<Film>], zoom: u32) -> Film {
             for y in 0..film.height * zoom {
                 for x in 0..film.width * zoom {
                     let to = (top + y) as usize * width as usize + (left + x) as usize;
-                    sheet.pixels[to] = film.at(x / zoom, y / zoom);
+                    contact_sheet.pixels[to] = film.at(x / zoom, y / zoom);
                 }
             }
         }
     }
-    sheet
+    contact_sheet
 }
 
 #[cfg(test)]
@@ -47,16 +47,16 @@ mod tests {
             ..Film::default()
         };
         let rows = [vec![film(2, Rgb::WHITE), film(1, Rgb::BLACK)]];
-        let sheet = sheet(&rows, 3);
+        let contact_sheet = contact_sheet(&rows, 3);
         assert_eq!(
-            (sheet.width, sheet.height),
+            (contact_sheet.width, contact_sheet.height),
             (2 * (2 * 3 + 4) + 4, 3 + 2 * 4)
         );
-        assert_eq!(sheet.at(4, 4), Rgb::WHITE);
-        assert_eq!(sheet.at(9, 6), Rgb::WHITE);
-        assert_eq!(sheet.at(10, 6), Rgb::grey(0.5));
-        assert_eq!(sheet.at(14, 4), Rgb::BLACK);
+        assert_eq!(contact_sheet.at(4, 4), Rgb::WHITE);
+        assert_eq!(contact_sheet.at(9, 6), Rgb::WHITE);
+        assert_eq!(contact_sheet.at(10, 6), Rgb::grey(0.5));
+        assert_eq!(contact_sheet.at(14, 4), Rgb::BLACK);
         // The second is smaller: grey fills its room.
-        assert_eq!(sheet.at(17, 4), Rgb::grey(0.5));
+        assert_eq!(contact_sheet.at(17, 4), Rgb::grey(0.5));
     }
 }

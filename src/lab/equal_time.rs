@@ -2,10 +2,11 @@
 
 use std::time::Instant;
 
-use super::cost::{Lab, Sweep};
+use super::contact_sheet::contact_sheet;
+use super::cost::Lab;
 use super::error::{Reference, errors};
-use super::knobs::{Knob, LIGHT_SAMPLES};
-use super::sheet::sheet;
+use super::measured::Sweep;
+use super::parameter::{LIGHT_SAMPLES, Parameter};
 use crate::probe::Silent;
 use crate::scene::Settings;
 use crate::tracer::Film;
@@ -32,7 +33,7 @@ pub struct Tile {
 
 /// The ways of a group of knobs.
 #[derive(Clone, Debug)]
-pub struct Strip {
+pub struct EqualTime {
     /// What is turned.
     pub group: &'static str,
     /// Seconds for each picture, as far as they could be foretold.
@@ -47,15 +48,20 @@ pub struct Strip {
 impl Lab {
     /// The ways of one group that were measured, each with the time that the dearest position of the cheapest way takes.
     /// Those for which there is no time before `end` are left out. `None` if nothing can be compared.
-    pub fn strip(&self, sweeps: &[Sweep], reference: &Reference, end: Instant) -> Option<Strip> {
-        let ways = || sweeps.iter().filter(|s| s.knob.way.is_some());
+    pub fn equal_time(
+        &self,
+        sweeps: &[Sweep],
+        reference: &Reference,
+        end: Instant,
+    ) -> Option<EqualTime> {
+        let variants = || sweeps.iter().filter(|s| s.parameter.variant.is_some());
         let dearest = |s: &Sweep| s.steps.iter().map(|m| m.seconds).fold(0.0, f64::max);
-        let seconds = ways()
+        let seconds = variants()
             .map(dearest)
             .filter(|s| *s > 0.0)
             .fold(f64::INFINITY, f64::min);
         let mut tiles = Vec::new();
-        for sweep in ways() {
+        for sweep in variants() {
             let Some((position, settings)) = affordable(sweep, seconds) else {
                 continue;
             };
@@ -64,15 +70,15 @@ impl Lab {
                 break;
             };
             tiles.push(Tile {
-                name: format!("{} {position}", sweep.knob.way.unwrap_or_default()),
+                name: format!("{} {position}", sweep.parameter.variant.unwrap_or_default()),
                 seconds: start.elapsed().as_secs_f64(),
                 rmse: errors(&film, reference, settings.image.exposure)?.rmse,
                 settings,
                 film,
             });
         }
-        (!tiles.is_empty()).then(|| Strip {
-            group: sweeps[0].knob.group,
+        (!tiles.is_empty()).then(|| EqualTime {
+            group: sweeps[0].parameter.group,
             seconds,
             crop: worst(&tiles, reference.film()),
             tiles,
@@ -84,15 +90,17 @@ impl Lab {
 /// How far a way can be turned in so many seconds, by its dearest position that was measured; of positions that are not
 /// samples, the one whose time is nearest.
 fn affordable(sweep: &Sweep, seconds: f64) -> Option<(String, Settings)> {
-    let Sweep { knob, steps, .. } = sweep;
+    let Sweep {
+        parameter, steps, ..
+    } = sweep;
     let last = steps.last()?;
     if let Some(samples) = last.samples {
         let afforded = f64::from(samples) * seconds / last.seconds.max(1e-9);
         let samples = squarish((afforded.round() as u32).clamp(1, 4 * samples));
-        return Some((samples.to_string(), knob.with_samples(samples)?));
+        return Some((samples.to_string(), parameter.with_samples(samples)?));
     }
     let off = |s: f64| libm::log(s / seconds).abs();
-    let measured = steps.iter().zip(&knob.steps);
+    let measured = steps.iter().zip(&parameter.steps);
     let nearest = measured.min_by(|a, b| off(a.0.seconds).total_cmp(&off(b.0.seconds)));
     nearest.map(|(measured, step)| (measured.step.clone(), step.settings))
 }
@@ -134,14 +142,14 @@ fn worst(tiles: &[Tile], reference: &Film) -> [u32; 4] {
 }
 
 /// All strips below each other, on grey: in each the ways from left to right, then the reference.
-pub fn picture(strips: &[Strip]) -> Film {
-    let crops = |strip: &Strip| {
-        let films = strip.tiles.iter().map(|t| &t.film);
-        let all = films.chain([&strip.reference]);
-        all.map(|film| crop(film, strip.crop)).collect()
+pub fn picture(comparisons: &[EqualTime]) -> Film {
+    let crops = |equal_time: &EqualTime| {
+        let films = equal_time.tiles.iter().map(|t| &t.film);
+        let all = films.chain([&equal_time.reference]);
+        all.map(|film| crop(film, equal_time.crop)).collect()
     };
-    let rows: Vec<Vec<Film>> = strips.iter().map(crops).collect();
-    sheet(&rows, ZOOM)
+    let rows: Vec<Vec<Film>> = comparisons.iter().map(crops).collect();
+    contact_sheet(&rows, ZOOM)
 }
 
 /// A part of a film.
@@ -156,7 +164,7 @@ fn crop(film: &Film, [x0, y0, width, height]: [u32; 4]) -> Film {
     }
 }
 
-impl Knob {
+impl Parameter {
     /// So many samples this way, if it is about samples.
     fn with_samples(&self, samples: u32) -> Option<Settings> {
         let any = self.steps.last()?;

@@ -1,7 +1,7 @@
 //! Rendering until the picture is near enough: with more and more samples, until its estimated error is small enough.
 //!
 //! The error of a picture is the root of the mean square of its pixels' standard errors (of linear luminance): what
-//! the RMSE against the true picture is expected to be. Each try is a picture with so many samples for all pixels, from
+//! the RMSE against the true picture is expected to be. Each pass is a picture with so many samples for all pixels, from
 //! the start, so that the last one can be had again by asking for its number of samples. The samples are parted into
 //! sets, from whose differences the error is estimated (see [`crate::tracer::spread`]).
 
@@ -13,15 +13,15 @@ use crate::scene::{Settings, limits};
 use crate::tracer::{Film, Flow, render};
 use crate::world::World;
 
-/// Sets of a try: enough to tell how much they differ, and few, since samples of one set complete each other.
+/// Sets of a pass: enough to tell how much they differ, and few, since samples of one set complete each other.
 pub const SETS: u32 = 8;
 
-/// How many times as many samples the next try has, at least and at most: an estimate from a few samples is uncertain.
+/// How many times as many samples the next pass has, at least and at most: an estimate from a few samples is uncertain.
 const GROWTH: [f64; 2] = [1.25, 4.0];
 
-/// A picture on the way.
+/// One picture of the series.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Try {
+pub struct Pass {
     /// Samples a pixel.
     pub samples: u32,
     /// The estimated error.
@@ -32,55 +32,55 @@ pub struct Try {
     pub seconds: f64,
 }
 
-/// Why there was no further try.
+/// Reason why there was no further pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
+pub enum StopReason {
     /// The error is small enough.
     Reached,
-    /// The next try would need more rays than all tries together may cost.
+    /// The next pass would need more rays than all passes together may cost.
     Rays,
-    /// The next try would need more samples than a pixel can have.
+    /// The next pass would need more samples than a pixel can have.
     Samples,
-    /// Somebody stopped it, or a pixel met its limit of rays.
+    /// It was stopped, or a pixel met its limit of rays.
     Cut,
 }
 
-/// What came of it.
+/// Outcome of rendering until the error is small enough.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct Convergence {
     /// The last whole picture.
     pub film: Film,
     /// The settings that it can be had again with.
     pub settings: Settings,
-    /// All tries, in order.
-    pub tries: Vec<Try>,
+    /// All passes, in order.
+    pub passes: Vec<Pass>,
     /// Why there was no further one.
-    pub end: End,
+    pub stop: StopReason,
 }
 
-/// Renders until the error is at most `wanted`. The first try has the samples of `settings`, rounded up to whole sets;
+/// Renders until the error is at most `wanted`. The first pass has the samples of `settings`, rounded up to whole sets;
 /// all together may cost `settings.recursion.max_rays`.
-pub fn until(
+pub fn converge(
     world: &World,
     settings: &Settings,
     wanted: f64,
     threads: usize,
     watch: &(dyn Fn(u64, u64) -> Flow + Sync),
-) -> Found {
+) -> Convergence {
     let mut now = settings.with(|s| {
         s.pixel.samples = whole_sets(f64::from(settings.pixel.samples));
         s.pixel.sets = SETS;
         s.pixel.adaptive = None;
         s.pixel.errors = true;
     });
-    let mut tries: Vec<Try> = Vec::new();
+    let mut passes: Vec<Pass> = Vec::new();
     let mut spent = 0;
     loop {
         let start = Instant::now();
         let (film, _) = render::<Silent>(world, &now, threads, watch);
         let error = film.error().unwrap_or(f64::INFINITY);
         let (samples, rays) = (now.pixel.samples, film.rays);
-        tries.push(Try {
+        passes.push(Pass {
             samples,
             error,
             rays,
@@ -88,24 +88,24 @@ pub fn until(
         });
         spent += rays;
         let next = whole_sets(f64::from(samples) * growth(&now, error / wanted));
-        let price = rays as f64 * f64::from(next) / f64::from(samples);
-        let end = if film.cut {
-            End::Cut
+        let cost = rays as f64 * f64::from(next) / f64::from(samples);
+        let stop = if film.cut {
+            StopReason::Cut
         } else if error <= wanted {
-            End::Reached
+            StopReason::Reached
         } else if next > limits::MAX_SAMPLES {
-            End::Samples
-        } else if spent as f64 + price > settings.recursion.max_rays as f64 {
-            End::Rays
+            StopReason::Samples
+        } else if spent as f64 + cost > settings.recursion.max_rays as f64 {
+            StopReason::Rays
         } else {
             now.pixel.samples = next;
             continue;
         };
-        return Found {
+        return Convergence {
             film,
             settings: now,
-            tries,
-            end,
+            passes,
+            stop,
         };
     }
 }
