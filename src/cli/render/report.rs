@@ -1,6 +1,6 @@
 //! What it cost to come near enough.
 
-use crate::cli::again;
+use crate::cli::command_line;
 use crate::lab::converge::{Convergence, StopReason};
 use crate::scene::Scene;
 

@@ -1,7 +1,7 @@
 //! Triangles that are there twice, in one place: which of the two is seen?
 
-use super::eye::Eye;
 use super::picture::{Panel, Picture, Seen, panel};
+use super::pinhole::Eye;
 use super::polygons::{RAYS, grey, outcomes, t, triangle};
 use super::{Case, Chance, Outcome};
 use crate::accel::{Accel, AccelKind};

@@ -1,7 +1,7 @@
 //! Closed meshes: rays at edges and corners that triangles share.
 
-use super::eye::Eye;
 use super::picture::{Panel, Picture, Place, Seen, panel};
+use super::pinhole::Eye;
 use super::{Case, Chance, Outcome, percent, under};
 use crate::geometry::{Arithmetic, Intersection, Shape, Shear, Triangle, TriangleTest};
 use crate::math::{DVec3, Interval, Ray};

@@ -1,7 +1,7 @@
 //! Refraction at the critical angle.
 
-use super::eye::Eye;
 use super::picture::{Panel, Picture, Seen, panel};
+use super::pinhole::Eye;
 use super::{Case, Outcome, percent};
 use crate::math::DVec3;
 use crate::shading::optics::refract;

@@ -1,7 +1,7 @@
 //! Polygons that a tree has cut by its planes.
 
-use super::eye::Eye;
 use super::picture::{Panel, Picture, Seen, panel};
+use super::pinhole::Eye;
 use super::{Case, Chance, Outcome, percent};
 use crate::geometry::{Intersection, Shape, Shear, Triangle};
 use crate::math::{DVec3, Interval, Ray};

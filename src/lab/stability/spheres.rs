@@ -1,8 +1,8 @@
 //! Spheres: small and far, large and near.
 
 use super::expansion::Expansion;
-use super::eye::Eye;
 use super::picture::{Panel, Picture, Seen, panel};
+use super::pinhole::Eye;
 use super::{Case, Chance, Outcome, percent, under};
 use crate::geometry::{Arithmetic, Intersection, Precision, Quadratic, Shape, Shear, Sphere};
 use crate::math::{DVec3, Interval, Ray};

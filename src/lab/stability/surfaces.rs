@@ -1,8 +1,8 @@
 //! Surfaces that rays leave: they must not be hit again, and what stands close behind must not be lost.
 
-use super::eye::Eye;
 use super::meshes::ball;
 use super::picture::{Panel, Picture, Seen, panel};
+use super::pinhole::Eye;
 use super::{Case, Chance, Outcome, percent, under};
 use crate::geometry::{Arithmetic, Intersection, Offset, Shape, Shear, Triangle};
 use crate::math::rounding::offset_origin;
