@@ -1,7 +1,7 @@
-//! What there is: the scene as the tracer sees it, resolved, checked and in world space.
+//! Scene: camera, lights, materials, objects and shapes, checked and in world space.
 //!
-//! [`load()`] makes it from a built-in scene, one that is computed, a JSON file or an OBJ file; what passed there cannot
-//! make the tracer panic.
+//! [`load()`] reads it from a built-in scene, a computed one, a JSON file or an OBJ file; what passed there cannot make
+//! the tracer panic. [`read`] is the reader, [`gallery`] the built-in scenes.
 
 pub mod camera;
 pub mod effects;
@@ -16,7 +16,7 @@ pub use crate::shading::{Effect, Effects};
 pub use camera::Camera;
 pub use gallery::builtin;
 pub use gallery::procedural::list as generated;
-pub use load::{list, load, load_held};
+pub use load::{list, load, load_from_memory};
 pub use object::{Object, VertexData};
 pub use read::error::SceneError;
 pub use read::{error, file};
@@ -38,13 +38,13 @@ pub const AIR_IOR: f64 = 1.0;
 pub struct Scene {
     /// Its name.
     pub name: String,
-    /// A hash of the files that it was read from: two trees with the same hash are of the same scene.
+    /// BLAKE3 hash of the files that it was read from: two trees with the same hash are of the same scene.
     pub hash: String,
-    /// The eye.
+    /// The camera.
     pub camera: Camera,
-    /// What a ray brings back that hits nothing.
+    /// Radiance of a ray that hits nothing.
     pub background: Rgb,
-    /// Ia: light that reaches every surface.
+    /// Ia: ambient light, which reaches every surface.
     pub ambient: Rgb,
     /// Materials, by index.
     pub materials: Vec<Material>,
@@ -56,9 +56,9 @@ pub struct Scene {
     pub shapes: Vec<Shape>,
     /// The object of each primitive.
     pub owners: Vec<u32>,
-    /// What the scene asks for where a user asks for nothing else.
+    /// Settings that the scene asks for; those of the command line go before them.
     pub settings: Settings,
-    /// What was strange in the files but could be lived with.
+    /// Warnings about the files that it was read from.
     pub warnings: Vec<String>,
 }
 
@@ -107,7 +107,7 @@ impl Scene {
         (object != NONE).then(|| &self.objects[object as usize])
     }
 
-    /// The scene with shapes that are tested with this arithmetic, whatever it was before.
+    /// The scene with shapes that are tested with this arithmetic.
     #[must_use]
     pub fn computed_with(mut self, arithmetic: Arithmetic) -> Self {
         for shape in &mut self.shapes {
@@ -116,7 +116,7 @@ impl Scene {
         self
     }
 
-    /// Describes the place that `hit` found: its point, normals, side and surface coordinates.
+    /// Interaction at a hit: point, normals, side and surface coordinates.
     pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
         let mut surface = self.shapes[hit.primitive as usize].surface(ray, hit.t, hit.barycentric);
         let mut normal = None;

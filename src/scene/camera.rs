@@ -1,11 +1,11 @@
-//! The eye: a pinhole camera.
+//! Pinhole camera.
 
 use crate::math::{DVec3, Frame, Ray};
 
-/// A pinhole at `eye` and a film before it.
+/// Pinhole camera at `eye` with a film before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where all eye rays start.
+    /// Where all camera rays start.
     pub eye: DVec3,
     /// u to the right of the picture, v up, w from the scene to the eye (gluLookAt's frame).
     pub frame: Frame,

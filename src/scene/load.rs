@@ -12,7 +12,7 @@ use super::read::file::parse;
 use super::read::files::{Files, regular};
 use super::read::resolve::resolve;
 
-/// The scene that `spec` stands for: the name of a built-in or computed scene, or the path of a `.json` or `.obj` file.
+/// Scene by `spec`: the name of a built-in or computed scene, or the path of a `.json` or `.obj` file.
 pub fn load(spec: &str) -> Result<Scene, SceneError> {
     if let Some(text) = builtin::scene(spec) {
         let mut files = Files::embedded(builtin::file);
@@ -30,13 +30,13 @@ pub fn load(spec: &str) -> Result<Scene, SceneError> {
     read(spec, Files::beside(path))
 }
 
-/// The scene in the file `name`, which ends in `.json` or `.obj`. It and all files that it names are looked for in
-/// `held`, by their paths, and on no disk; paths and sizes are bounded as there.
-pub fn load_held(name: &str, held: BTreeMap<String, Vec<u8>>) -> Result<Scene, SceneError> {
-    read(name, Files::held(held))
+/// Scene from files in memory, by their paths: that in `name`, which ends in `.json` or `.obj`, and those that it names.
+/// Nothing is read from disk; paths and sizes are bounded as there.
+pub fn load_from_memory(name: &str, files: BTreeMap<String, Vec<u8>>) -> Result<Scene, SceneError> {
+    read(name, Files::in_memory(files))
 }
 
-/// The built-in scenes: name, and what each shows.
+/// Names of the built-in scenes, and what each shows.
 pub fn list() -> Vec<(&'static str, String)> {
     let note = |name: &str| {
         let file = builtin::scene(name).and_then(|text| parse(text, name).ok());

@@ -1,8 +1,8 @@
-//! Objects of a scene, and what the corners of their triangles carry.
+//! Objects of a scene, and the normals and texture coordinates of meshes.
 
 use crate::math::{DVec2, DVec3};
 
-/// A named part of the scene: one material, one or many primitives.
+/// Object: a named part of the scene with one material and one or many primitives.
 #[derive(Clone, Debug)]
 pub struct Object {
     /// Its name, unique in the scene; groups are named before it: `group/part`.
@@ -11,7 +11,7 @@ pub struct Object {
     pub material: u32,
     /// The id of its first primitive.
     pub first_primitive: u32,
-    /// What the corners of its triangles carry, if it is a mesh that gave any.
+    /// Normals and texture coordinates at its corners, if it is a mesh that has any.
     pub vertices: Option<VertexData>,
 }
 
@@ -29,15 +29,15 @@ pub struct VertexData {
 }
 
 impl VertexData {
-    /// The corners' normals, blended by the areas opposite to them (Phong 1975): unit, or `None` if the mesh is flat
-    /// or they cancel out.
+    /// Shading normal at barycentric coordinates, interpolated between the corners (Phong 1975): unit, or `None` if the mesh
+    /// is flat or they cancel out.
     pub fn normal(&self, triangle: usize, [u, v, w]: [f64; 3]) -> Option<DVec3> {
         let [a, b, c] = *self.normal_indices.get(triangle)?;
         let n = |i: u32| self.normals[i as usize];
         (u * n(a) + v * n(b) + w * n(c)).try_normalize()
     }
 
-    /// The corners' texture coordinates, blended likewise.
+    /// Texture coordinates at barycentric coordinates, interpolated between the corners.
     pub fn uv(&self, triangle: usize, [u, v, w]: [f64; 3]) -> Option<DVec2> {
         let [a, b, c] = *self.uv_indices.get(triangle)?;
         let p = |i: u32| self.uvs[i as usize];

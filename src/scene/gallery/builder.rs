@@ -1,11 +1,11 @@
-//! A scene that a program draws, shape by shape, instead of reading it from a file.
+//! Scene built by a program, shape by shape, instead of read from a file.
 
 use crate::geometry::{Shape, Triangle};
 use crate::math::{DVec3, Rgb};
 use crate::scene::{Camera, Object, Scene, Settings, VertexData};
 use crate::shading::{Light, LightKind, Material};
 
-/// A scene in the making: an object is begun, then its shapes are put in.
+/// Scene in the making: an object is begun, then its shapes are added.
 pub struct SceneBuilder {
     scene: Scene,
 }
@@ -30,12 +30,12 @@ impl SceneBuilder {
         Self { scene }
     }
 
-    /// What is seen where nothing is, and the light that is everywhere.
+    /// Sets the background and the ambient light.
     pub fn sky(&mut self, background: Rgb, ambient: Rgb) {
         (self.scene.background, self.scene.ambient) = (background, ambient);
     }
 
-    /// A point light that does not grow weaker with distance.
+    /// Adds a point light without attenuation.
     pub fn light(&mut self, position: DVec3, intensity: Rgb) {
         self.scene.lights.push(Light {
             name: format!("light {}", self.scene.lights.len() + 1),
@@ -47,13 +47,13 @@ impl SceneBuilder {
         });
     }
 
-    /// A material; its number is what [`SceneBuilder::begin`] asks for.
+    /// Adds a material; its index is what [`SceneBuilder::begin`] takes.
     pub fn material(&mut self, material: Material) -> u32 {
         self.scene.materials.push(material);
         self.scene.materials.len() as u32 - 1
     }
 
-    /// Begins an object: the shapes that follow are its parts.
+    /// Begins an object: the shapes that follow belong to it.
     pub fn begin(&mut self, name: impl Into<String>, material: u32) {
         self.scene.objects.push(Object {
             name: name.into(),
@@ -63,7 +63,7 @@ impl SceneBuilder {
         });
     }
 
-    /// Puts a shape into the object that was begun last.
+    /// Adds a shape to the object that was begun last.
     pub fn put(&mut self, shape: Shape) {
         if let Some(last) = self.scene.objects.len().checked_sub(1) {
             self.scene.shapes.push(shape);
@@ -71,18 +71,18 @@ impl SceneBuilder {
         }
     }
 
-    /// Puts in a flat triangle, its corners counter-clockwise seen from outside.
+    /// Adds a flat triangle, its corners counter-clockwise seen from outside.
     pub fn triangle(&mut self, corners: [DVec3; 3]) {
         self.put(Shape::Triangle(Triangle { corners }));
     }
 
-    /// Puts in the two triangles of a convex, plane quadrangle.
+    /// Adds a convex, plane quadrangle as two triangles.
     pub fn quad(&mut self, [a, b, c, d]: [DVec3; 4]) {
         self.triangle([a, b, c]);
         self.triangle([a, c, d]);
     }
 
-    /// Keeps a unit normal for the corners of the object's triangles; gives its number.
+    /// Adds a unit normal for corners of the object's triangles; gives its index.
     pub fn normal(&mut self, normal: DVec3) -> u32 {
         let Some(object) = self.scene.objects.last_mut() else {
             return 0;
@@ -92,7 +92,7 @@ impl SceneBuilder {
         vertices.normals.len() as u32 - 1
     }
 
-    /// Puts in a triangle with these normals at its corners. All triangles of one object are smooth, or none.
+    /// Adds a triangle with these normals, by index, at its corners. All triangles of one object are smooth, or none.
     pub fn smooth(&mut self, corners: [DVec3; 3], normals: [u32; 3]) {
         self.triangle(corners);
         let vertices = self.scene.objects.last_mut().map(|o| &mut o.vertices);
@@ -101,7 +101,7 @@ impl SceneBuilder {
         }
     }
 
-    /// The scene. Its hash is made of all that was put in.
+    /// The scene, with the hash of all that was added.
     pub fn finish(mut self) -> Scene {
         let mut hash = blake3::Hasher::new();
         let scene = &self.scene;
@@ -114,5 +114,22 @@ impl SceneBuilder {
         }
         self.scene.hash = hash.finalize().to_string();
         self.scene
+    }
+}
+
+/// Material that only scatters light.
+pub fn matt(name: &str, color: Rgb) -> Material {
+    Material {
+        name: name.to_string(),
+        ambient: color,
+        diffuse: color,
+        specular: Rgb::BLACK,
+        shininess: 1.0,
+        mirror: Rgb::BLACK,
+        transmission: Rgb::BLACK,
+        ior: 1.0,
+        priority: 0,
+        emission: Rgb::BLACK,
+        checker: None,
     }
 }

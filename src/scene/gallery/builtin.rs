@@ -1,6 +1,6 @@
-//! The scenes inside the program: they are there wherever it runs.
+//! Scene files and models inside the program.
 
-/// Name and text of each scene, in the order of a tour.
+/// Name and text of each scene, in the order in which they are listed.
 const SCENES: [(&str, &str); 11] = [
     ("whitted", include_str!("../../../scenes/whitted.json")),
     ("triangle", include_str!("../../../scenes/triangle.json")),
@@ -24,16 +24,16 @@ const SCENES: [(&str, &str); 11] = [
     ("lamps", include_str!("../../../scenes/lamps.json")),
 ];
 
-/// The models that they name.
+/// Name and text of each model.
 const FILES: [(&str, &str); 2] = [
     ("teapot.obj", include_str!("../../../scenes/teapot.obj")),
     ("bunny.obj", include_str!("../../../scenes/bunny.obj")),
 ];
 
-/// The scene that is shown when none is asked for.
+/// The default scene.
 pub const DEFAULT: &str = "whitted";
 
-/// The names of the built-in scenes, in the order of a tour.
+/// Names of the built-in scenes.
 pub fn names() -> impl Iterator<Item = &'static str> {
     SCENES.iter().map(|(name, _)| *name)
 }

@@ -1,9 +1,9 @@
-//! A thousand objects: the frame that a lecture once reckoned would take 109 hours.
+//! The scene `lecture-1000`: the frame of 1,000 objects for which a lecture estimates 109 hours.
 //!
 //! Balls and boxes float over a floor on a wave, placed like the seeds of a sunflower so that none touch.
 //! Source of the spiral: Vogel 1979, "A better way to construct the sunflower head".
 
-use super::builder::SceneBuilder;
+use super::builder::{SceneBuilder, matt};
 use crate::geometry::{Aabb, Cuboid, Plane, Shape, Sphere};
 use crate::math::{DVec3, Rgb};
 use crate::scene::{Camera, Scene, Settings};
@@ -22,7 +22,7 @@ const SPACING: f64 = 0.3;
 /// Colours around the wheel.
 const HUES: u32 = 12;
 
-/// The scene. `None` only if the view had no direction.
+/// The scene; `None` only if its camera had no view direction.
 pub fn scene() -> Option<Scene> {
     let eye = DVec3::new(0.0, 5.5, 13.0);
     let look_at = DVec3::new(0.0, 0.2, 0.8);
@@ -83,24 +83,16 @@ pub fn scene() -> Option<Scene> {
     Some(builder.finish())
 }
 
-/// A surface with a highlight.
+/// Material with a highlight.
 fn plain(name: &str, color: Rgb) -> Material {
     Material {
-        name: name.to_string(),
-        ambient: color,
-        diffuse: color,
         specular: Rgb::grey(0.4),
         shininess: 60.0,
-        mirror: Rgb::BLACK,
-        transmission: Rgb::BLACK,
-        ior: 1.0,
-        priority: 0,
-        emission: Rgb::BLACK,
-        checker: None,
+        ..matt(name, color)
     }
 }
 
-/// A colour of the wheel.
+/// Colour `i` of the wheel.
 fn hue(i: u32) -> Rgb {
     let channel = |shift: f64| {
         let angle = std::f64::consts::TAU * (f64::from(i) / f64::from(HUES) + shift);
@@ -117,12 +109,12 @@ mod tests {
     fn it_has_a_thousand_objects_of_one_shape_each_that_do_not_touch() {
         let scene = scene().expect("a view");
         assert_eq!((scene.objects.len(), scene.shapes.len()), (1000, 1000));
-        let places: Vec<DVec3> = scene.shapes[1..]
+        let centers: Vec<DVec3> = scene.shapes[1..]
             .iter()
             .filter_map(|s| Some(s.bounds()?.center()))
             .collect();
-        for (i, p) in places.iter().enumerate() {
-            for q in &places[..i] {
+        for (i, p) in centers.iter().enumerate() {
+            for q in &centers[..i] {
                 // Within 0.25 m of its middle lies all of a ball (0.2) and of a box (0.14 sqrt 3).
                 assert!(p.distance(*q) > 0.45, "{p} {q}");
             }

@@ -1,4 +1,4 @@
-//! The scenes that the program computes when they are asked for, by name or by name and size: `spd:balls:3`.
+//! Procedural scenes, by name or by name and size: `spd:balls:3`.
 
 use super::spd::{KINDS, Kind};
 use super::{lecture, slanted};
@@ -6,7 +6,7 @@ use crate::scene::Scene;
 use crate::scene::limits::MAX_PRIMITIVES;
 use crate::scene::read::error::{Problem, SceneError};
 
-/// The names as a user writes them, with the size that is meant if none is given, and what each scene shows.
+/// Names of the procedural scenes, with the default size, and what each shows.
 pub fn list() -> Vec<(String, &'static str)> {
     let sized = KINDS.iter().map(|kind| {
         let name = format!("{}:{}", kind.name, kind.size);
@@ -20,7 +20,7 @@ pub fn list() -> Vec<(String, &'static str)> {
     plain.into_iter().chain(sized).collect()
 }
 
-/// The names without a size.
+/// Names without a size.
 pub fn names() -> impl Iterator<Item = &'static str> {
     [lecture::NAME, slanted::NAME]
         .into_iter()
@@ -47,7 +47,7 @@ pub fn load(spec: &str) -> Option<Result<Scene, SceneError>> {
     Some(scene.map_err(|p| p.in_file(spec)))
 }
 
-/// A size from 1 up to where the scene has too many shapes.
+/// Size from 1 up to where the scene would have too many shapes.
 fn parse(kind: &Kind, text: &str) -> Result<u32, Problem> {
     let size: u32 = text
         .parse()

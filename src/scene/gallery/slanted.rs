@@ -1,9 +1,9 @@
-//! Nothing in it runs along an axis: crates tumble down a slope, fences lean, and the wind bends the reeds.
+//! The scene `slanted`, in which nothing runs along an axis: crates on a slope, leaning fences and reeds.
 //!
 //! Planes along the axes fit turned boxes and long diagonal triangles badly, planes at any angle well: what a BSP tree
 //! can do and a kd-tree cannot.
 
-use super::builder::SceneBuilder;
+use super::builder::{SceneBuilder, matt};
 use crate::math::sampler::{mix, unit};
 use crate::math::{DVec3, Rgb};
 use crate::scene::{Camera, Scene, Settings};
@@ -15,14 +15,14 @@ pub const NAME: &str = "slanted";
 pub const NOTE: &str =
     "Turned boxes and long diagonal triangles: where planes along the axes fit badly.";
 
-/// How many there are of each.
+/// Numbers of crates, fences, slats of a fence, tufts, and reeds of a tuft.
 const CRATES: u64 = 50;
 const FENCES: u64 = 7;
 const SLATS: u64 = 13;
 const TUFTS: u64 = 12;
 const REEDS: u64 = 50;
 
-/// The scene. `None` only if the view had no direction.
+/// The scene; `None` only if its camera had no view direction.
 pub fn scene() -> Option<Scene> {
     let eye = DVec3::new(1.2, 1.5, 4.4);
     let look_at = DVec3::new(0.0, 0.15, 0.0);
@@ -44,8 +44,8 @@ pub fn scene() -> Option<Scene> {
 
     builder.begin("crates", red);
     for i in 0..CRATES {
-        let place = 1.7 * random(i, 0);
-        let center = slope(place.x, place.z) + DVec3::Y * (0.35 + 0.25 * place.y / 1.7);
+        let at = 1.7 * random(i, 0);
+        let center = slope(at.x, at.z) + DVec3::Y * (0.35 + 0.25 * at.y / 1.7);
         let size = DVec3::splat(0.09) + 0.04 * random(i, 1);
         let [u, v, w] = turned(random(i, 2), random(i, 3));
         block(&mut builder, center, [size.x * u, size.y * v, size.z * w]);
@@ -53,12 +53,12 @@ pub fn scene() -> Option<Scene> {
 
     builder.begin("fences", wood);
     for i in CRATES..CRATES + FENCES {
-        let place = 1.5 * random(i, 0);
+        let at = 1.5 * random(i, 0);
         let lean = DVec3::Y + 0.5 * random(i, 2);
         let [up, along, through] = turned(lean, random(i, 1));
         for slat in 0..SLATS {
             let step = 0.09 * (slat as f64 - 0.5 * (SLATS - 1) as f64);
-            let center = slope(place.x, place.z) + 0.45 * up + step * along;
+            let center = slope(at.x, at.z) + 0.45 * up + step * along;
             let half = [0.5 * up, 0.03 * along, 0.01 * through];
             block(&mut builder, center, half);
         }
@@ -67,10 +67,10 @@ pub fn scene() -> Option<Scene> {
     builder.begin("reeds", green);
     let wind = DVec3::new(0.8, 1.0, 0.45);
     for i in CRATES + FENCES..CRATES + FENCES + TUFTS {
-        let place = 1.8 * random(i, 0);
+        let at = 1.8 * random(i, 0);
         for reed in 0..REEDS {
             let spread = 0.25 * random(i * REEDS + reed, 1);
-            let root = slope(place.x + spread.x, place.z + spread.z);
+            let root = slope(at.x + spread.x, at.z + spread.z);
             let tip = root + 1.3 * (wind + 0.12 * random(i * REEDS + reed, 2));
             let side = 0.02
                 * wind
@@ -82,7 +82,7 @@ pub fn scene() -> Option<Scene> {
     Some(builder.finish())
 }
 
-/// The place on the slope above x and z.
+/// Point of the slope at x and z.
 fn slope(x: f64, z: f64) -> DVec3 {
     DVec3::new(x, -0.35 - 0.3 * x + 0.2 * z, z)
 }
@@ -105,25 +105,17 @@ fn turned(u: DVec3, v: DVec3) -> [DVec3; 3] {
     [u, w.cross(u), w]
 }
 
-/// A point in the cube from -1 to 1, the same for the same numbers in every run.
+/// Pseudo-random point in the cube from -1 to 1, a hash of the two numbers.
 fn random(of: u64, which: u64) -> DVec3 {
-    let at = |k: u64| 2.0 * unit(mix(mix(4 * of + which) + k)) - 1.0;
-    DVec3::new(at(0), at(1), at(2))
+    let coordinate = |k: u64| 2.0 * unit(mix(mix(4 * of + which) + k)) - 1.0;
+    DVec3::new(coordinate(0), coordinate(1), coordinate(2))
 }
 
-/// A dull surface.
+/// Material with a faint highlight.
 fn plain(name: &str, color: Rgb) -> Material {
     Material {
-        priority: 0,
-        name: name.to_string(),
-        ambient: color,
-        diffuse: color,
         specular: Rgb::grey(0.1),
         shininess: 20.0,
-        mirror: Rgb::BLACK,
-        transmission: Rgb::BLACK,
-        ior: 1.0,
-        emission: Rgb::BLACK,
-        checker: None,
+        ..matt(name, color)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: Haines 1987, "A proposal for standard graphics environments", IEEE CG&A 7(11); geometry, cameras, lights
 //! and materials after his generators (placed in the public domain, CC0). They have z up; here each point is turned
-//! to y up when it is put in, and nothing else changes.
+//! to y up when it is added, and nothing else changes.
 //!
 //! What differs: cylinders and cones are prisms of [`SIDES`] sides with smooth normals, and polygons are cut into
 //! triangles, so there are more primitives than the original counts. A little ambient light is added, which the
@@ -17,7 +17,7 @@ mod tree;
 
 use glam::DMat3;
 
-use super::builder::SceneBuilder;
+use super::builder::{SceneBuilder, matt};
 use crate::geometry::{Shape, Sphere};
 use crate::math::{DVec3, Frame, Rgb};
 use crate::scene::{Camera, Scene, Settings};
@@ -26,10 +26,10 @@ use crate::shading::Material;
 /// The sides of a prism that stands for a cylinder or a cone.
 const SIDES: u32 = 16;
 
-/// The rays from the eye along one edge of the picture: one for each corner of 512 x 512 pixels.
+/// Camera rays along one edge of the picture: one for each corner of 512 x 512 pixels.
 const CORNERS: u32 = 513;
 
-/// One of the scenes.
+/// One of the databases.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
     /// Its name; behind a colon follows its size.
@@ -44,7 +44,7 @@ pub struct Kind {
     view: View,
 }
 
-/// From where to where the eye looks, z up; and the lights.
+/// Camera, z up, and positions of the lights.
 #[derive(Clone, Copy, Debug)]
 struct View {
     from: [f64; 3],
@@ -53,7 +53,7 @@ struct View {
     lights: &'static [[f64; 3]],
 }
 
-/// All scenes.
+/// All databases.
 pub const KINDS: [Kind; 6] = [
     balls::KIND,
     gears::KIND,
@@ -64,7 +64,7 @@ pub const KINDS: [Kind; 6] = [
 ];
 
 impl Kind {
-    /// The scene of this size. `None` only if a view had no direction.
+    /// The scene of this size; `None` only if its camera had no view direction.
     pub fn scene(&self, size: u32) -> Option<Scene> {
         let mut spd = Spd::new(&format!("{}:{size}", self.name), &self.view)?;
         (self.build)(&mut spd, size);
@@ -72,7 +72,7 @@ impl Kind {
     }
 }
 
-/// A surface as the originals describe it.
+/// Surface description of the original databases.
 struct Surface {
     color: [f64; 3],
     diffuse: f64,
@@ -97,14 +97,14 @@ impl Surface {
     };
 }
 
-/// A scene in the making, z up.
+/// Database in the making, z up.
 struct Spd {
     builder: SceneBuilder,
 }
 
 impl Spd {
-    /// The rules of the measure: 513 x 513 eye rays through the corners of 512 x 512 pixels, 45 degrees from the
-    /// first to the last; the eye's ray and 4 bounces; no ray is left out because it would add little.
+    /// The rules of the measure: 513 x 513 camera rays through the corners of 512 x 512 pixels, 45 degrees from the
+    /// first to the last; camera ray and 4 bounces; no minimum weight.
     ///
     /// Those are the rays through the *middles* of 513 x 513 pixels if the film is larger by 513/512:
     /// (2 (i + 1/2) / 513 - 1) 513/512 = 2 i / 512 - 1.
@@ -143,18 +143,14 @@ impl Spd {
         } else {
             1.0
         };
+        let matt = matt(name, color * surface.diffuse);
         self.builder.material(Material {
-            name: name.to_string(),
-            ambient: color * surface.diffuse,
-            diffuse: color * surface.diffuse,
             specular: Rgb::grey(surface.highlight),
             shininess,
             mirror: color * surface.mirror,
             transmission: color * surface.transmission,
             ior: surface.ior,
-            priority: 0,
-            emission: Rgb::BLACK,
-            checker: None,
+            ..matt
         })
     }
 
@@ -205,7 +201,7 @@ impl Spd {
     }
 }
 
-/// A point of a space with z up in one with y up.
+/// Point with z up turned to y up.
 fn y_up(p: DVec3) -> DVec3 {
     DVec3::new(p.x, p.z, -p.y)
 }
@@ -217,7 +213,7 @@ fn turn(axis: DVec3, angle: f64) -> DMat3 {
     DMat3::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z))
 }
 
-/// 1 + base + base^2 + ... + base^last, or the largest number if that is less. The base is at least 2.
+/// Geometric sum 1 + base + base^2 + ... + base^last, saturating. The base is at least 2.
 fn geometric_sum(base: u64, last: u32) -> u64 {
     (0..=last.min(64)).fold(0u64, |sum, n| sum.saturating_add(base.saturating_pow(n)))
 }

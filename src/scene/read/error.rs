@@ -1,8 +1,8 @@
-//! What is wrong with a scene, where, and what to do about it.
+//! Errors of scenes: where, what is wrong, and what to do.
 
 use std::fmt;
 
-/// Why a scene cannot be used. Its text has two lines: where and what, then what to do.
+/// Error of a scene. Its text has two lines: where and what, then what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneError {
     /// The file, or the name of the built-in scene.
@@ -15,7 +15,7 @@ pub struct SceneError {
     pub problem: Problem,
 }
 
-/// What is wrong, and what to do about it, both as plain sentences without a full stop.
+/// What is wrong, and what to do about it, as plain sentences without a full stop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// What is wrong.
@@ -75,7 +75,7 @@ impl fmt::Display for SceneError {
 
 impl std::error::Error for SceneError {}
 
-/// A long path by its beginning and its end.
+/// Long path, shortened to its beginning and its end.
 fn shortened(path: &str) -> String {
     const ENDS: usize = 60;
     let letters: Vec<char> = path.chars().collect();
@@ -87,7 +87,7 @@ fn shortened(path: &str) -> String {
     format!("{start}...{end}")
 }
 
-/// The text without control characters, and not endless: what a stranger's file says must not steer a terminal.
+/// Text without control characters, cut at 600 letters, so that no file steers a terminal.
 pub fn printable(text: &str) -> String {
     const LENGTH: usize = 600;
     let mut shown: String = text

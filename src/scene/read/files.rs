@@ -1,4 +1,4 @@
-//! Where the files of a scene are read from, and which may be read.
+//! Access to the files of a scene: on disk, in memory or inside the program.
 //!
 //! A scene from elsewhere names other files. It may name those in its own folder and below, and nothing else:
 //! relative paths without `..`, regular files, of a bounded size, and symbolic links only if they stay inside.
@@ -28,7 +28,7 @@ enum Folder {
     /// On disk.
     Disk(PathBuf),
     /// In memory.
-    Held(BTreeMap<String, Vec<u8>>),
+    Memory(BTreeMap<String, Vec<u8>>),
 }
 
 impl Files {
@@ -49,8 +49,8 @@ impl Files {
     }
 
     /// Files in memory, path and bytes of each.
-    pub fn held(files: BTreeMap<String, Vec<u8>>) -> Self {
-        Self::new(Folder::Held(files))
+    pub fn in_memory(files: BTreeMap<String, Vec<u8>>) -> Self {
+        Self::new(Folder::Memory(files))
     }
 
     fn new(folder: Folder) -> Self {
@@ -61,7 +61,7 @@ impl Files {
         }
     }
 
-    /// What a file that a scene file names is called in messages: its path as the user would write it.
+    /// Label in messages of a file that the scene names: its path as the user would write it.
     pub fn label(&self, name: &str) -> String {
         match &self.folder {
             Folder::Disk(folder) if folder != Path::new(".") => {
@@ -81,15 +81,15 @@ impl Files {
         self.hash.update(bytes);
     }
 
-    /// The text of the file at `path`, which the user chose and which may be anywhere.
+    /// Text of the file at `path`, which the user chose and which may be anywhere.
     pub fn open(&mut self, path: &Path) -> Result<String, Problem> {
-        if let Folder::Held(files) = &self.folder {
+        if let Folder::Memory(files) = &self.folder {
             let bytes = path.to_str().and_then(|name| files.get(name));
             let bytes = bytes.ok_or_else(missing)?.clone();
             return self.accept(bytes);
         }
         let (file, length) = regular(path)?;
-        self.room_for(length)?;
+        self.check_size(length)?;
         let mut bytes = Vec::with_capacity(length as usize + 1);
         file.take(MAX_FILE_BYTES + 1)
             .read_to_end(&mut bytes)
@@ -97,17 +97,17 @@ impl Files {
         self.accept(bytes)
     }
 
-    /// Takes a file that was read, as text.
+    /// Text of a file whose bytes were read.
     fn accept(&mut self, bytes: Vec<u8>) -> Result<String, Problem> {
-        // It may have grown since it was asked for its length.
-        self.room_for(bytes.len() as u64)?;
+        // It may have grown since its length was read.
+        self.check_size(bytes.len() as u64)?;
         self.bytes += bytes.len() as u64;
         self.take(&bytes);
         text(bytes)
     }
 
-    /// An error if a file is so long that it, or all of them together, is too much.
-    fn room_for(&self, length: u64) -> Result<(), Problem> {
+    /// Refuses a file that is too long, by itself or together with those read before.
+    fn check_size(&self, length: u64) -> Result<(), Problem> {
         if length > MAX_FILE_BYTES {
             return Err(too_large(MAX_FILE_BYTES, "a file"));
         }
@@ -117,7 +117,7 @@ impl Files {
         Ok(())
     }
 
-    /// The text of a file that a scene file names. `None` if there is no such file.
+    /// Text of a file that a scene file names; `None` if there is no such file.
     pub fn read(&mut self, name: &str) -> Result<Option<String>, Problem> {
         check_name(name)?;
         let folder = match &self.folder {
@@ -128,7 +128,7 @@ impl Files {
                 self.take(text.as_bytes());
                 return Ok(Some(text.to_string()));
             }
-            Folder::Held(files) => {
+            Folder::Memory(files) => {
                 let Some(bytes) = files.get(name.trim_start_matches("./")) else {
                     return Ok(None);
                 };
@@ -154,7 +154,7 @@ impl Files {
     }
 }
 
-/// Opens a regular file, and tells its length.
+/// Regular file, opened, and its length.
 pub fn regular(path: &Path) -> Result<(fs::File, u64), Problem> {
     let metadata = fs::metadata(path).map_err(|e| unreadable(&e))?;
     if metadata.is_dir() {
@@ -220,7 +220,7 @@ fn missing() -> Problem {
     )
 }
 
-/// What the system says about a file.
+/// Problem for an error of the operating system.
 fn unreadable(error: &std::io::Error) -> Problem {
     match error.kind() {
         std::io::ErrorKind::NotFound => missing(),
@@ -263,7 +263,7 @@ mod tests {
         fs::write(&path, "newmtl a\nKd 1 1 1\n").expect("a file");
         let held = BTreeMap::from([("a.mtl".to_owned(), fs::read(&path).expect("written"))]);
         let length = fs::metadata(&path).expect("written").len();
-        for mut files in [Files::beside(&path), Files::held(held)] {
+        for mut files in [Files::beside(&path), Files::in_memory(held)] {
             // As if files of so many bytes had been read before.
             files.bytes = MAX_SCENE_BYTES - 2 * length;
             for _ in 0..2 {

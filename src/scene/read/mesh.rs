@@ -1,4 +1,4 @@
-//! A triangle mesh on its way into the scene, in its own space.
+//! Triangle mesh in its own space, as read from a file.
 
 use crate::math::DVec3;
 
@@ -11,7 +11,7 @@ pub struct Mesh {
     pub points: Vec<DVec3>,
     /// Triples of indices into `points`.
     pub triangles: Vec<[u32; 3]>,
-    /// Per triangle: where it stands in its file, for warnings. Empty: it is the triangle of the same number.
+    /// Per triangle: its line in the file, for warnings. Empty if the index of the triangle says it.
     pub lines: Vec<u32>,
     /// Normals and surface coordinates of the corners. A normal of zero stands for none.
     pub corners: VertexData,

@@ -1,9 +1,9 @@
-//! What was strange in a scene's files but could be lived with.
+//! Warnings about a scene's files.
 
 use super::error::printable;
 use crate::scene::limits::MAX_WARNINGS;
 
-/// The first warnings, and how many more there are.
+/// The first warnings, and the number of further ones.
 #[derive(Clone, Debug, Default)]
 pub struct Warnings {
     kept: Vec<String>,
@@ -11,7 +11,7 @@ pub struct Warnings {
 }
 
 impl Warnings {
-    /// Adds one. It is put into words only if it is kept.
+    /// Adds a warning; its text is made only if it is kept.
     pub fn add(&mut self, words: impl FnOnce() -> String) {
         if self.kept.len() < MAX_WARNINGS {
             self.kept.push(printable(&words()));
@@ -20,7 +20,7 @@ impl Warnings {
         }
     }
 
-    /// All of them, with a last line for those that were not kept.
+    /// The warnings, with a last line for those that were not kept.
     pub fn into_lines(self) -> Vec<String> {
         let mut lines = self.kept;
         if self.more > 0 {

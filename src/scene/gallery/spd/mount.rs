@@ -70,9 +70,9 @@ fn balls(spd: &mut Spd, glass: u32) {
     let d = 1.0 / 2.0_f64.sqrt();
     let lower = turn(DVec3::new(d, d, 0.0), libm::acos(-1.0 / 3.0)) * top;
     let thirds = [0.0, 1.0, 2.0].map(|third| turn(DVec3::Z, third * TAU / 3.0) * lower);
-    for (i, place) in [top].into_iter().chain(thirds).enumerate() {
+    for (i, offset) in [top].into_iter().chain(thirds).enumerate() {
         spd.begin(format!("ball {}", i + 1), glass);
-        spd.sphere(center + place, radius);
+        spd.sphere(center + offset, radius);
     }
 }
 
@@ -90,8 +90,8 @@ impl Mountain {
     fn grow(&self, spd: &mut Spd, [x, y]: [u32; 2], width: u32, [a, b, c, d]: [f64; 4]) {
         if width == 1 {
             let point = |x, y, z| {
-                let place = |i: u32| f64::from(i) * self.spacing - 1.0;
-                DVec3::new(place(x), place(y), z)
+                let coordinate = |i: u32| f64::from(i) * self.spacing - 1.0;
+                DVec3::new(coordinate(x), coordinate(y), z)
             };
             let (p, q) = (point(x, y, a), point(x + 1, y, b));
             let (r, s) = (point(x + 1, y + 1, c), point(x, y + 1, d));
@@ -101,7 +101,7 @@ impl Mountain {
         }
         let half = width / 2;
         let rise = f64::from(half) * self.spacing * self.roughness;
-        // A point on an edge depends on its place alone, so that the neighbour finds the same height.
+        // The shift of a point on an edge depends on its grid point alone, so that the neighbour gets the same height.
         let shift = |dx, dy| rise * gauss(SEED + self.hash(x + dx, y + dy));
         let low = f64::midpoint(a, b) + shift(half, 0);
         let right = f64::midpoint(b, c) + shift(width, half);

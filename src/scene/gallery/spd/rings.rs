@@ -53,7 +53,7 @@ fn build(spd: &mut Spd, size: u32) {
     let corners = [[half, half], [-half, half], [-half, -half], [half, -half]];
     spd.quad(corners.map(|[x, z]| DVec3::new(x - 1.0, far, z + 0.5)));
 
-    let places = places(size);
+    let centers = centers(size);
     for (number, (color, rgb)) in COLORS.into_iter().enumerate() {
         let material = spd.material(
             color,
@@ -68,22 +68,22 @@ fn build(spd: &mut Spd, size: u32) {
         );
         let ring = ring(number);
         spd.begin(format!("tubes {color}"), material);
-        for &place in &places {
+        for &center in &centers {
             for (&base, &apex) in ring.iter().zip(ring.iter().cycle().skip(4)) {
-                spd.tube((place + base, RADIUS), (place + apex, RADIUS));
+                spd.tube((center + base, RADIUS), (center + apex, RADIUS));
             }
         }
         spd.begin(format!("joints {color}"), material);
-        for &place in &places {
+        for &center in &centers {
             for corner in ring {
-                spd.sphere(place + corner, RADIUS);
+                spd.sphere(center + corner, RADIUS);
             }
         }
     }
 }
 
-/// Where the balls are: one in front, then four, then nine and so on.
-fn places(size: u32) -> Vec<DVec3> {
+/// Centres of the balls: one in front, then four, then nine and so on.
+fn centers(size: u32) -> Vec<DVec3> {
     let at = |depth: u32, i: u32| f64::from(2 * i) - f64::from(depth);
     (0..size)
         .flat_map(|depth| (0..=depth).map(move |z| (depth, z)))

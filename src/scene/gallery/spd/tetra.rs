@@ -41,8 +41,8 @@ fn build(spd: &mut Spd, size: u32) {
 fn grow(spd: &mut Spd, center: DVec3, half: f64, depth: u32) {
     if depth > 1 {
         for corner in CORNERS {
-            let place = center + DVec3::from(corner) * half / 2.0;
-            grow(spd, place, half / 2.0, depth - 1);
+            let center = center + DVec3::from(corner) * half / 2.0;
+            grow(spd, center, half / 2.0, depth - 1);
         }
         return;
     }
