@@ -1,4 +1,4 @@
-//! The scene file format `raytree-scene/1`: what stands in the JSON, before names are looked up and shapes placed.
+//! Scene file format `raytree-scene/1`: what stands in the JSON, before names are looked up and shapes transformed.
 //!
 //! Kinds are told by a key, as in `{"sphere": {"name": ...}}`: then an error inside has an exact path, such as
 //! `objects[3].sphere.radius`. Every object may carry a `note`, which says what it is there for and changes nothing.
@@ -9,6 +9,7 @@ mod material;
 mod object;
 mod parse;
 mod settings;
+mod shape;
 mod transform;
 
 use std::collections::BTreeMap;
@@ -110,7 +111,7 @@ impl CameraFile {
     }
 }
 
-/// The JSON Schema of scene files, made from the types in this module.
+/// JSON Schema of scene files, made from the types in this module.
 pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(SceneFile).to_value()
+    shape::SCHEMA.clone()
 }

@@ -1,12 +1,15 @@
-//! The parser's messages, put so that someone who learns knows what to do.
+//! Messages of the JSON parser in plain words, each with what to do.
 
+use serde_path_to_error::Path;
+
+use super::shape::Shape;
 use crate::scene::limits::MAX_GROUP_DEPTH;
 use crate::scene::read::did_you_mean::did_you_mean;
 use crate::scene::read::error::Problem;
 
-/// The parser's message in plain words, and what to do. `word` is what stands at the place of the error, `field` the
-/// path of the field.
-pub fn problem(what: &str, word: &str, field: &str) -> Problem {
+/// The parser's message `what` in plain words. `word` is what stands where the parser stopped, `field` the path of the
+/// value, `path` the same in parts, if it is about one.
+pub fn problem(what: &str, word: &str, field: &str, path: Option<&Path>) -> Problem {
     if field == "format" && !what.starts_with("missing") {
         let given = what.split('`').nth(1).unwrap_or(word);
         return Problem::new(
@@ -15,12 +18,18 @@ pub fn problem(what: &str, word: &str, field: &str) -> Problem {
         );
     }
     by_name(what)
-        .or_else(|| by_word(what, word, field))
+        .or_else(|| by_word(word))
+        .or_else(|| by_shape(what, word, path?))
         .or_else(|| by_start(what))
-        .unwrap_or_else(|| by_value(what))
+        .unwrap_or_else(|| {
+            Problem::new(
+                format!("this is not JSON: {what}"),
+                "compare with a scene that works, such as those in the folder `scenes`",
+            )
+        })
 }
 
-/// Mistakes about a field or kind whose name the parser tells in `...`, the possible ones after it.
+/// Mistakes about a field or kind whose name the parser writes in `...`, those that are possible after it.
 fn by_name(what: &str) -> Option<Problem> {
     let mut quoted = what.split('`').skip(1).step_by(2);
     let name = quoted.next()?;
@@ -50,201 +59,151 @@ fn by_name(what: &str) -> Option<Problem> {
     Some(Problem::new(format!("there is no {kind} `{name}`"), cure))
 }
 
-/// Mistakes that are known by what stands at their place.
-fn by_word(what: &str, word: &str, field: &str) -> Option<Problem> {
+/// Mistakes that show in the word at which the parser stopped.
+fn by_word(word: &str) -> Option<Problem> {
     let number = word.to_ascii_lowercase();
-    let number = number.trim_start_matches(['-', '+']);
-    let in_list = what.starts_with("expected value") && field.ends_with(']') && word != "]";
-    Some(match word.chars().next() {
-        _ if ["nan", "inf", "infinity"].contains(&number) => Problem::new(
-            format!("`{word}` is not a number in JSON"),
-            "write a finite number, such as 0 or 1.5",
-        ),
-        Some('/' | '#') => Problem::new(
+    let no_number = format!("`{word}` is not a number in JSON");
+    if ["nan", "inf", "infinity"].contains(&number.trim_start_matches(['-', '+'])) {
+        let cure = "write a finite number, such as 0 or 1.5";
+        return Some(Problem::new(no_number, cure));
+    }
+    let (what, cure) = match word.chars().next()? {
+        '/' | '#' => (
             "JSON has no comments",
             "use the field \"note\" of an object instead",
         ),
-        Some('\'') => Problem::new(
+        '\'' => (
             "JSON has no single quotation marks",
             "write \"...\" instead of '...'",
         ),
-        Some('.' | '+') => Problem::new(
-            format!("`{word}` is not a number in JSON"),
-            "write a digit first, such as 0.5",
-        ),
-        _ if in_list && word == "{}" => Problem::new(
-            "the object {} does not say what it is",
-            "name its kind, such as {\"sphere\": {\"name\": ...}}",
-        ),
-        _ if in_list => Problem::new(
-            "a second field stands beside the kind of an object",
-            "one object has one kind: put everything inside, such as {\"sphere\": {\"name\": ..., \"note\": ...}}",
-        ),
-        _ if what.starts_with("invalid type") && is_list_for_object(field) => Problem::new(
-            "a list [...] stands here instead of an object with named fields",
-            "name the fields, such as {\"axis\": [0, 1, 0], \"degrees\": 90}",
-        ),
+        '.' | '+' => (&*no_number, "write a digit first, such as 0.5"),
         _ => return None,
-    })
+    };
+    Some(Problem::new(what, cure))
 }
 
-/// Mistakes that the parser's message begins with: its words, what to say, what to do.
-const STARTS: [(&str, &str, &str); 14] = [
-    (
-        "EOF",
-        "the file ends in the middle",
-        "close every bracket and every quotation mark that was opened; perhaps the file was cut off",
-    ),
-    (
-        "number out of range",
-        "the number is too large",
-        "write a number between -1e12 and 1e12",
-    ),
-    ("recursion limit", "the file is nested too deeply", TOO_DEEP),
-    (
-        "expected value",
-        "a value is missing here, or is none that JSON has",
-        "write a number, a text in double quotation marks, true, false, a list [...] or an object {...}",
-    ),
-    (
-        "expected ident",
-        "here stands a word that JSON does not have",
-        "write true, false or null in full, and any other text in double quotation marks",
-    ),
-    (
-        "invalid number",
-        "the number is not whole, or has a sign too many",
-        "write it as in 0.5, -2 or 1e6",
-    ),
-    (
-        "invalid escape",
-        "a `\\` in a string stands before a letter that it cannot stand before",
-        "write \\\\ for the sign itself, and / between the folders of a path",
-    ),
-    (
-        "trailing comma",
-        "there is a comma before a closing bracket",
-        "take the comma away: in JSON it stands only between two things",
-    ),
-    (
-        "trailing characters",
-        "something stands after the end of the scene",
-        "a file holds one object {...}: take away what comes after it",
-    ),
-    (
-        "key must be a string",
-        "a name stands without quotation marks",
-        "write names in double quotation marks, such as \"radius\": 1",
-    ),
-    (
-        "invalid type: unit variant",
-        "the kind stands here without its fields",
-        "write an object, such as {\"sphere\": {\"name\": ...}}",
-    ),
-    (
-        "expected `,`",
-        "a comma or a closing bracket is missing",
-        "look at the end of the line before, too",
-    ),
-    (
-        "expected `:`",
-        "a colon is missing between a name and its value",
-        "write \"name\": value",
-    ),
-    (
-        "control character",
-        "a line ends, or a tab stands, inside a string",
-        "close the quotation mark on the same line; write \\n and \\t for line ends and tabs",
-    ),
-];
-
-const TOO_DEEP: &str = "put groups at most 32 deep into each other";
-const _: () = assert!(MAX_GROUP_DEPTH == 32, "the sentence above says so");
-
-fn by_start(what: &str) -> Option<Problem> {
-    let (_, what, cure) = STARTS.iter().find(|(start, ..)| what.starts_with(start))?;
-    Some(Problem::new(*what, *cure))
-}
-
-/// Values that are not what is expected; and all that is no JSON in other ways.
-fn by_value(what: &str) -> Problem {
-    if what.starts_with("invalid length") {
-        Problem::new(
-            in_plain_words(what),
-            "points, vectors and colours have three numbers, such as [0, 1, 0]",
-        )
-    } else if what.starts_with("invalid type: null") {
-        Problem::new(
-            in_plain_words(what),
-            "write a value here, or leave the field out",
-        )
-    } else if what.starts_with("invalid") {
-        Problem::new(
-            in_plain_words(what),
-            "change the value to what is expected here",
-        )
-    } else if what.starts_with("a scale") {
-        Problem::new(what, "write 2, or [1, 2, 1]")
-    } else {
-        Problem::new(
-            format!("this is not JSON: {what}"),
-            "compare with a scene that works, such as those in the folder `scenes`",
-        )
+/// Values that are JSON, but not what the schema has at their path.
+fn by_shape(what: &str, word: &str, path: &Path) -> Option<Problem> {
+    let (shape, list_for_object) = Shape::at(path)?;
+    let too_long = what.starts_with("trailing characters");
+    let wrong_length = too_long || what.starts_with("invalid length");
+    if shape.fields().is_some() && (list_for_object || wrong_length) {
+        return Some(Problem::new(
+            "a list [...] stands here instead of an object with named fields",
+            format!("name the fields, such as {}", shape.example()),
+        ));
     }
+    if what.starts_with("invalid type: unit variant") {
+        let path = path.to_string();
+        let kind = path.rsplit('.').next().unwrap_or_default();
+        return Some(Problem::new(
+            "the kind stands here without its fields",
+            format!(
+                "write an object, such as {{\"{kind}\": {}}}",
+                shape.example()
+            ),
+        ));
+    }
+    let no_value = what.starts_with("expected value") && shape.is_choice();
+    if no_value && !shape.kinds().is_empty() {
+        return Some(no_kind(word, shape));
+    }
+    let expected = shape.in_words();
+    let found = match found(what) {
+        Some(found) => found,
+        None if too_long => "a longer list".to_string(),
+        None if no_value => format!("`{word}`"),
+        None => return None,
+    };
+    let cure = match shape.length() {
+        _ if what.starts_with("invalid type: null") => "write a value here, or leave the field out",
+        Some(3) if wrong_length => {
+            "points, vectors and colours have three numbers, such as [0, 1, 0]"
+        }
+        _ => "change the value to what is expected here",
+    };
+    let problem = format!("here stands {found}; what is expected is {expected}");
+    Some(Problem::new(problem, cure))
 }
 
-/// True for a path such as `rotate[0]`: a part of something that has named fields and no list of parts.
-fn is_list_for_object(field: &str) -> bool {
-    const OBJECTS: [&str; 15] = [
-        "camera",
-        "settings",
-        "checker",
-        "rotate",
-        "sphere",
-        "plane",
-        "triangle",
-        "quad",
-        "box",
-        "mesh",
-        "obj",
-        "group",
-        "point",
-        "directional",
-        "spot",
-    ];
-    let last = field.rsplit('.').next().unwrap_or("");
-    last.split_once('[')
-        .is_some_and(|(key, _)| OBJECTS.contains(&key))
+/// Something else than an object {...} that names one kind. After a second field the parser stops at the end of the
+/// first.
+fn no_kind(word: &str, shape: Shape) -> Problem {
+    let what = match word {
+        "{}" => {
+            let cure = format!("name its kind, such as {}", shape.example());
+            return Problem::new("the object {} does not say what it is", cure);
+        }
+        "}" | "]" | "," | "" => "a second field stands beside the kind of an object",
+        _ => "here is not an object {...} with one kind",
+    };
+    let example = shape.example();
+    let cure = format!("one object has one kind: put everything inside, such as {example}");
+    Problem::new(what, cure)
 }
 
-/// The parser's names of types, for people who do not write Rust.
-fn in_plain_words(what: &str) -> String {
-    const WORDS: [(&str, &str); 16] = [
-        ("invalid type: ", "here stands "),
-        ("invalid value: ", "here stands "),
-        ("invalid length ", "here stands a list of length "),
-        (", expected struct ", ", expected an object {...}\0"),
-        (", expected ", "; what is expected is "),
-        ("an array of length ", "a list of length "),
+/// What stands where the parser expected something else, without its names of types.
+fn found(what: &str) -> Option<String> {
+    const WORDS: [(&str, &str); 6] = [
         ("floating point ", "the number "),
         ("integer ", "the number "),
         ("string ", "the text "),
         ("boolean ", "the value "),
-        ("a sequence", "a list"),
         ("sequence", "a list [...]"),
         ("map", "an object {...}"),
-        ("f64", "a number"),
-        ("u32", "a whole number from 0 to 4294967295"),
-        ("u64", "a whole number from 0 up"),
     ];
-    let text = WORDS
+    let (found, _) = what.rsplit_once(", expected ")?;
+    if let Some(length) = found.strip_prefix("invalid length ") {
+        return Some(format!("a list of length {length}"));
+    }
+    let found = ["invalid type: ", "invalid value: "]
         .iter()
-        .fold(what.to_string(), |text, (from, to)| text.replace(from, to));
-    // The name of a type in this program says nothing.
-    text.split('\0').next().unwrap_or("").to_string()
+        .find_map(|start| found.strip_prefix(start))?;
+    let word = WORDS.iter().find(|(from, _)| found.starts_with(from));
+    Some(word.map_or(found.to_string(), |(from, to)| found.replacen(from, to, 1)))
 }
 
-/// The word, number or sign at a place in the text, counted from 1; "{}" at the end of an empty object.
+/// Mistakes that the parser's message begins with: its words, what to say, what to do.
+#[rustfmt::skip]
+const STARTS: [(&str, &str, &str); 13] = [
+    ("EOF", "the file ends in the middle",
+        "close every bracket and every quotation mark that was opened; perhaps the file was cut off"),
+    ("number out of range", "the number is too large",
+        "write a number between -1e12 and 1e12"),
+    ("recursion limit", "the file is nested too deeply",
+        "put groups at most 32 deep into each other"),
+    ("expected value", "a value is missing here, or is none that JSON has",
+        "write a number, a text in double quotation marks, true, false, a list [...] or an object {...}"),
+    ("expected ident", "here stands a word that JSON does not have",
+        "write true, false or null in full, and any other text in double quotation marks"),
+    ("invalid number", "the number is not whole, or has a sign too many",
+        "write it as in 0.5, -2 or 1e6"),
+    ("invalid escape", "a `\\` in a string stands before a letter that it cannot stand before",
+        "write \\\\ for the sign itself, and / between the folders of a path"),
+    ("trailing comma", "there is a comma before a closing bracket",
+        "take the comma away: in JSON it stands only between two things"),
+    ("trailing characters", "something stands after the end of the scene",
+        "a file holds one object {...}: take away what comes after it"),
+    ("key must be a string", "a name stands without quotation marks",
+        "write names in double quotation marks, such as \"radius\": 1"),
+    ("expected `,`", "a comma or a closing bracket is missing",
+        "look at the end of the line before, too"),
+    ("expected `:`", "a colon is missing between a name and its value",
+        "write \"name\": value"),
+    ("control character", "a line ends, or a tab stands, inside a string",
+        "close the quotation mark on the same line; write \\n and \\t for line ends and tabs"),
+];
+const _: () = assert!(MAX_GROUP_DEPTH == 32, "a sentence above says so");
+
+fn by_start(what: &str) -> Option<Problem> {
+    if what.starts_with("a scale is") {
+        return Some(Problem::new(what, "write 2, or [1, 2, 1]"));
+    }
+    let (_, what, cure) = STARTS.iter().find(|(start, ..)| what.starts_with(start))?;
+    Some(Problem::new(*what, *cure))
+}
+
+/// The word, number or sign at a line and column, from 1; "{}" at the end of an empty object.
 pub fn word_at(text: &str, line: usize, column: usize) -> &str {
     let Some(line) = text.lines().nth(line.saturating_sub(1)) else {
         return "";
@@ -273,7 +232,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_word_at_a_place_is_found() {
+    fn the_word_at_a_line_and_column_is_found() {
         let text = "{\n  \"a\": -Infinity,\n}";
         assert_eq!(word_at(text, 2, 8), "-Infinity");
         assert_eq!(word_at(text, 2, 12), "-Infinity");

@@ -1,9 +1,10 @@
-//! From text to a scene file, and from the parser's words to those of someone who learns.
+//! Parsing of a scene file from its text.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+use serde_path_to_error::Path;
 
 use super::SceneFile;
 use super::explain::{problem, word_at};
@@ -26,37 +27,36 @@ pub fn parse(text: &str, file: &str) -> Result<SceneFile, SceneError> {
         .in_file(file));
     }
     let mut deserializer = serde_json::Deserializer::from_str(text);
-    let scene = serde_path_to_error::deserialize(&mut deserializer).map_err(|e| {
-        // A part that the parser could not name says nothing.
-        let path = e.path().to_string().replace(".?", "");
-        let field = if path == "." || path == "?" {
-            String::new()
-        } else {
-            path
-        };
-        explained(e.inner(), text, file, field)
-    })?;
+    let scene = serde_path_to_error::deserialize(&mut deserializer)
+        .map_err(|e| explained(e.inner(), text, file, Some(e.path())))?;
     deserializer
         .end()
-        .map_err(|e| explained(&e, text, file, String::new()))?;
+        .map_err(|e| explained(&e, text, file, None))?;
     Ok(scene)
 }
 
-/// The parser's error with its place and a cure.
-fn explained(error: &serde_json::Error, text: &str, file: &str, field: String) -> SceneError {
+/// The parser's error with its line, its path and a cure.
+fn explained(error: &serde_json::Error, text: &str, file: &str, path: Option<&Path>) -> SceneError {
+    // A part that the parser could not name says nothing.
+    let field = path.map_or(String::new(), |path| path.to_string().replace(".?", ""));
+    let field = if field == "." || field == "?" {
+        String::new()
+    } else {
+        field
+    };
     let (line, column) = (error.line(), error.column());
     let message = error.to_string();
-    let place = format!(" at line {line} column {column}");
-    let what = message.strip_suffix(&place).unwrap_or(&message);
+    let position = format!(" at line {line} column {column}");
+    let what = message.strip_suffix(&position).unwrap_or(&message);
     SceneError {
         position: (line > 0).then_some((line, column)),
-        problem: problem(what, word_at(text, line, column), &field),
+        problem: problem(what, word_at(text, line, column), &field, path),
         field,
         file: file.to_string(),
     }
 }
 
-/// A JSON object as a map, in which no name may stand twice: by itself, the parser would keep the last.
+/// A JSON object as a map, in which no name may stand twice (serde would keep the last).
 pub fn map_without_duplicates<'de, D, T>(deserializer: D) -> Result<BTreeMap<String, T>, D::Error>
 where
     D: Deserializer<'de>,
