@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use raytree::probe::{Event, Probe};
 use raytree::scene::limits::{MAX_EVENT_BYTES, MAX_EVENTS, table};
-use raytree::scene::{Scene, load_held};
+use raytree::scene::{Scene, load_from_memory};
 use raytree::trace::Recorder;
 
 const CAMERA: &str =
@@ -17,7 +17,7 @@ fn read(name: &str, files: &[(&str, &str)]) -> Result<Scene, String> {
     let held = files
         .iter()
         .map(|(name, text)| ((*name).to_string(), text.as_bytes().to_vec()));
-    load_held(name, held.collect()).map_err(|e| e.to_string())
+    load_from_memory(name, held.collect()).map_err(|e| e.to_string())
 }
 
 /// A scene with these fields beside format and camera, and a material `a`.

@@ -20,6 +20,7 @@ mod cost;
 mod document;
 mod effects;
 mod glass_slab;
+mod knobs;
 mod laws;
 mod light_extremes;
 mod limits;

@@ -3,12 +3,11 @@
 use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
+use raytree::debug::Cursor;
 use raytree::math::{DVec3, Rgb};
 use raytree::probe::{Event, NONE, Probe, RayKind, RayRecord};
 use raytree::scene::{self, Settings};
-use raytree::trace::{
-    Cursor, PixelTrace, RayTree, Recorder, View, document, explain, ledger, trace_pixel,
-};
+use raytree::trace::{PixelTrace, RayTree, Recorder, View, document, explain, ledger, trace_pixel};
 use raytree::world::World;
 
 use crate::common;

@@ -4,7 +4,7 @@
 
 use raytree::geometry::Shape;
 use raytree::math::DVec3;
-use raytree::scene::{Scene, load, load_held};
+use raytree::scene::{Scene, load, load_from_memory};
 
 const CORNERS: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const FACE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -16,7 +16,7 @@ fn read(files: &[(&str, &[u8])]) -> Result<Scene, String> {
     let held = files
         .iter()
         .map(|(name, bytes)| ((*name).to_string(), bytes.to_vec()));
-    load_held(files[0].0, held.collect()).map_err(|e| e.to_string())
+    load_from_memory(files[0].0, held.collect()).map_err(|e| e.to_string())
 }
 
 fn model(text: &str) -> Result<Scene, String> {

@@ -7,7 +7,8 @@ use crate::geometry::{Aabb, Shape};
 use crate::math::{DVec3, Rgb};
 use crate::scene::read::error::{Problem, SceneError};
 use crate::scene::read::file::{
-    CameraFile, DirectionalFile, Format, LightFile, ObjFile, ObjectFile, SceneFile, SettingsFile,
+    CameraFile, DirectionalFile, LightFile, ObjFile, ObjectFile, SceneFile, SceneFormat,
+    SettingsFile,
 };
 use crate::scene::read::files::Files;
 use crate::scene::read::resolve::resolve;
@@ -40,7 +41,7 @@ pub fn model_scene(spec: &str, name: &str, files: Files) -> Result<Scene, SceneE
 /// Scene file with the model alone; its camera is a stand-in until the model's size is known.
 fn scene_file(name: &str, file: &str) -> SceneFile {
     SceneFile {
-        format: Format::V1,
+        format: SceneFormat::V1,
         name: Some(name.to_string()),
         note: None,
         camera: CameraFile::new([0.0, 0.0, 1.0], [0.0; 3]),

@@ -41,12 +41,12 @@ pub struct Kind {
     /// How many shapes there are at a size, or a number too large.
     pub count: fn(u32) -> u64,
     build: fn(&mut Spd, u32),
-    view: View,
+    view: Viewpoint,
 }
 
 /// Camera, z up, and positions of the lights.
 #[derive(Clone, Copy, Debug)]
-struct View {
+struct Viewpoint {
     from: [f64; 3],
     at: [f64; 3],
     up: [f64; 3],
@@ -72,8 +72,8 @@ impl Kind {
     }
 }
 
-/// Surface description of the original databases.
-struct Surface {
+/// Description of a surface as in the original databases.
+struct Finish {
     color: [f64; 3],
     diffuse: f64,
     mirror: f64,
@@ -84,7 +84,7 @@ struct Surface {
     ior: f64,
 }
 
-impl Surface {
+impl Finish {
     /// A surface that only scatters light.
     const MATT: Self = Self {
         color: [1.0; 3],
@@ -108,7 +108,7 @@ impl Spd {
     ///
     /// Those are the rays through the *middles* of 513 x 513 pixels if the film is larger by 513/512:
     /// (2 (i + 1/2) / 513 - 1) 513/512 = 2 i / 512 - 1.
-    fn new(name: &str, view: &View) -> Option<Self> {
+    fn new(name: &str, view: &Viewpoint) -> Option<Self> {
         let eye = y_up(DVec3::from(view.from));
         let backwards = eye - y_up(DVec3::from(view.at));
         let edge = f64::from(CORNERS);
@@ -135,7 +135,7 @@ impl Spd {
     }
 
     /// Adds a material.
-    fn material(&mut self, name: &str, surface: &Surface) -> u32 {
+    fn material(&mut self, name: &str, surface: &Finish) -> u32 {
         let [r, g, b] = surface.color;
         let color = Rgb::new(r, g, b);
         let shininess = if surface.angle > 0.0 {

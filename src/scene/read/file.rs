@@ -3,13 +3,13 @@
 //! Kinds are told by a key, as in `{"sphere": {"name": ...}}`: then an error inside has an exact path, such as
 //! `objects[3].sphere.radius`. Every object may carry a `note`, which says what it is there for and changes nothing.
 
+mod expected;
 mod explain;
 mod light;
 mod material;
 mod object;
 mod parse;
 mod settings;
-mod shape;
 mod transform;
 
 use std::collections::BTreeMap;
@@ -30,14 +30,14 @@ pub use transform::{RotateFile, ScaleFile, TransformStep};
 use crate::math::Rgb;
 
 /// Three numbers: a point or a vector `[x, y, z]`.
-pub type Vector = [f64; 3];
+pub type Triple = [f64; 3];
 
 /// A scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SceneFile {
     /// Which format this is: always `raytree-scene/1`.
-    pub format: Format,
+    pub format: SceneFormat,
     /// The name of the scene; without one it is the name of the file.
     pub name: Option<String>,
     /// What the scene shows.
@@ -66,7 +66,8 @@ pub struct SceneFile {
 
 /// The versions of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum Format {
+#[schemars(rename = "Format")]
+pub enum SceneFormat {
     /// The first version.
     #[serde(rename = "raytree-scene/1")]
     V1,
@@ -79,19 +80,19 @@ pub struct CameraFile {
     /// What it is there for.
     pub note: Option<String>,
     /// Where the eye is.
-    pub eye: Vector,
+    pub eye: Triple,
     /// The point in the middle of the picture.
-    pub look_at: Vector,
+    pub look_at: Triple,
     /// The direction that is up in the picture.
     #[serde(default = "CameraFile::up")]
-    pub up: Vector,
+    pub up: Triple,
     /// The angle between the lower and the upper edge of the picture, in degrees.
     #[serde(default = "CameraFile::vertical_fov")]
     pub vertical_fov: f64,
 }
 
 impl CameraFile {
-    fn up() -> Vector {
+    fn up() -> Triple {
         [0.0, 1.0, 0.0]
     }
 
@@ -100,7 +101,7 @@ impl CameraFile {
     }
 
     /// A camera with the defaults.
-    pub fn new(eye: Vector, look_at: Vector) -> Self {
+    pub fn new(eye: Triple, look_at: Triple) -> Self {
         Self {
             note: None,
             eye,
@@ -113,5 +114,5 @@ impl CameraFile {
 
 /// JSON Schema of scene files, made from the types in this module.
 pub fn schema() -> serde_json::Value {
-    shape::SCHEMA.clone()
+    expected::SCHEMA.clone()
 }

@@ -22,14 +22,14 @@ use crate::shading::Material;
 #[derive(Debug)]
 pub struct Obj {
     /// Its parts: each has a name and at most one material.
-    pub parts: Vec<Part>,
+    pub parts: Vec<ObjPart>,
     /// The materials that they use, as its MTL files describe them.
     pub materials: Vec<Material>,
 }
 
 /// A part of an OBJ file.
 #[derive(Debug)]
-pub struct Part {
+pub struct ObjPart {
     /// The name after `o` or `g`; empty if there is none.
     pub name: String,
     /// Index into the file's materials.

@@ -100,6 +100,51 @@ fn things_that_students_write() {
             "expected is a list",
         ),
         (
+            r#""objects": [{"disc": [1, 2]}]"#,
+            "objects[0].disc",
+            r#"name the fields, such as {"name": ..., "material": ..., "center": ..., "normal": ..., "radius": ...}"#,
+        ),
+        (
+            r#""lights": [{"area": ["a"]}]"#,
+            "lights[0].area",
+            r#"{"name": ..., "object": ...}"#,
+        ),
+        (
+            r#""lights": [{}]"#,
+            "lights[0]",
+            r#"name its kind, such as {"point": {"name": ..."#,
+        ),
+        (
+            r#""lights": ["spot"]"#,
+            "lights[0].spot",
+            r#"{"spot": {"name": ..., "position": ..."#,
+        ),
+        (
+            r#""objects": [5]"#,
+            "objects[0]",
+            "not an object {...} with one kind",
+        ),
+        (
+            r#""background": [1, 2, 3, 4]"#,
+            "background",
+            "a longer list; what is expected is a list of length 3",
+        ),
+        (
+            r#""materials": {"a": {"priority": 1.5}}"#,
+            "materials.a.priority",
+            "whole number from -2147483648",
+        ),
+        (
+            r#""settings": {"fresnel": 5}"#,
+            "settings.fresnel",
+            r#"one of "none", "schlick", "exact""#,
+        ),
+        (
+            r#""settings": {"size": [320]}"#,
+            "settings.size",
+            "expected is a list of length 2",
+        ),
+        (
             r#""materials": {"a": {"ior": .5}}"#,
             "materials.a.ior",
             "such as 0.5",

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use raytree::accel::AccelKind;
-use raytree::lab::until::{End, until};
+use raytree::lab::converge::{StopReason, converge};
 use raytree::math::Rgb;
 use raytree::math::Sampler;
 use raytree::probe::Silent;
@@ -208,15 +208,15 @@ fn the_error_that_was_asked_for_is_the_error_that_is_there() {
     for sampling in [Sampler::Random, Sampler::Stratified, Sampler::Sobol] {
         let wanted = 0.01;
         let settings = base.with(|s| s.pixel.sampler = sampling);
-        let found = until(&world, &settings, wanted, 0, &go_on);
-        assert_eq!(found.end, End::Reached);
-        let estimate = found.tries.last().expect("a try").error;
+        let found = converge(&world, &settings, wanted, 0, &go_on);
+        assert_eq!(found.stop, StopReason::Reached);
+        let estimate = found.passes.last().expect("a try").error;
         let squares = found.film.pixels.iter().zip(&truth.pixels);
         let squares = squares.map(|(a, b)| (a.luminance() - b.luminance()).powi(2));
         let error = (squares.sum::<f64>() / 300.0).sqrt();
         println!(
             "{sampling:?}: estimated {estimate:.5}, true {error:.5}, {} tries",
-            found.tries.len()
+            found.passes.len()
         );
         assert!(
             estimate <= wanted && error < 1.1 * wanted,

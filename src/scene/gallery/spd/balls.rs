@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DMat3;
 
-use super::{Kind, Spd, Surface, View, geometric_sum, turn};
+use super::{Finish, Kind, Spd, Viewpoint, geometric_sum, turn};
 use crate::math::DVec3;
 
 pub const KIND: Kind = Kind {
@@ -13,7 +13,7 @@ pub const KIND: Kind = Kind {
     size: 4,
     count: |size| geometric_sum(9, size).saturating_add(2),
     build,
-    view: View {
+    view: Viewpoint {
         from: [2.1, 1.3, 1.7],
         at: [0.0; 3],
         up: [0.0, 0.0, 1.0],
@@ -27,21 +27,21 @@ const RATIO: f64 = 1.0 / 3.0;
 fn build(spd: &mut Spd, size: u32) {
     let floor = spd.material(
         "floor",
-        &Surface {
+        &Finish {
             color: [1.0, 0.75, 0.33],
             diffuse: 0.8,
-            ..Surface::MATT
+            ..Finish::MATT
         },
     );
     let mirror = spd.material(
         "mirror",
-        &Surface {
+        &Finish {
             color: [1.0, 0.9, 0.7],
             diffuse: 0.5,
             mirror: 0.5,
             highlight: 0.5,
             angle: 37.0,
-            ..Surface::MATT
+            ..Finish::MATT
         },
     );
     spd.begin("floor", floor);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Kind, Spd, Surface, View};
+use super::{Finish, Kind, Spd, Viewpoint};
 use crate::math::DVec3;
 
 pub const KIND: Kind = Kind {
@@ -15,7 +15,7 @@ pub const KIND: Kind = Kind {
         wheels.saturating_mul(4 * EDGES as u64).saturating_add(2)
     },
     build,
-    view: View {
+    view: Viewpoint {
         from: [-1.1, -2.1, 2.6],
         at: [0.0; 3],
         up: [0.0, 0.0, 1.0],
@@ -41,13 +41,13 @@ const SHRUNK: f64 = 0.995;
 fn build(spd: &mut Spd, size: u32) {
     let ground = spd.material(
         "ground",
-        &Surface {
+        &Finish {
             color: [1.0, 0.85, 0.7],
             diffuse: 0.3,
             mirror: 0.6,
             highlight: 0.3,
             angle: 37.0,
-            ..Surface::MATT
+            ..Finish::MATT
         },
     );
     spd.begin("ground", ground);
@@ -74,7 +74,7 @@ fn build(spd: &mut Spd, size: u32) {
 }
 
 /// A colour that looks like chance; every fifth wheel is of glass.
-fn surface(ix: u32, iy: u32, iz: u32) -> Surface {
+fn surface(ix: u32, iy: u32, iz: u32) -> Finish {
     let shade = |a: u32, b: u32, c: u32, factor: f64| {
         let x = f64::from(a * 3 + b * 2 + c + 1) * factor / 7.0;
         0.01 + x.fract()
@@ -85,12 +85,12 @@ fn surface(ix: u32, iy: u32, iz: u32) -> Surface {
         shade(iz, ix, iy, 2.0),
     ];
     let brightest = color.into_iter().fold(0.0, f64::max);
-    let matt = Surface {
+    let matt = Finish {
         color: color.map(|c| c / brightest),
-        ..Surface::MATT
+        ..Finish::MATT
     };
     if (ix * 4 + iy * 2 + iz).is_multiple_of(5) {
-        return Surface {
+        return Finish {
             diffuse: 0.2,
             transmission: 0.8,
             ior: 1.1,

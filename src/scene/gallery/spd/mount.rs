@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Kind, Spd, Surface, View, turn};
+use super::{Finish, Kind, Spd, Viewpoint, turn};
 use crate::math::DVec3;
 
 pub const KIND: Kind = Kind {
@@ -17,7 +17,7 @@ pub const KIND: Kind = Kind {
             .saturating_add(4)
     },
     build,
-    view: View {
+    view: Viewpoint {
         from: [-1.6, 1.6, 1.7],
         at: [0.0; 3],
         up: [0.0, 0.0, 1.0],
@@ -35,22 +35,22 @@ const WIDTH: f64 = 2.0;
 fn build(spd: &mut Spd, size: u32) {
     let glass = spd.material(
         "glass",
-        &Surface {
+        &Finish {
             diffuse: 0.1,
             mirror: 0.1,
             highlight: 0.4,
             angle: 6.7,
             transmission: 0.9,
             ior: 1.5,
-            ..Surface::MATT
+            ..Finish::MATT
         },
     );
     balls(spd, glass);
     let rock = spd.material(
         "rock",
-        &Surface {
+        &Finish {
             color: [0.5, 0.45, 0.35],
-            ..Surface::MATT
+            ..Finish::MATT
         },
     );
     spd.begin("mountain", rock);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Kind, SIDES, Spd, Surface, View, turn};
+use super::{Finish, Kind, SIDES, Spd, Viewpoint, turn};
 use crate::math::DVec3;
 
 pub const KIND: Kind = Kind {
@@ -17,7 +17,7 @@ pub const KIND: Kind = Kind {
         woven.saturating_mul(each).saturating_add(2)
     },
     build,
-    view: View {
+    view: Viewpoint {
         from: [-1.0, -SPREAD, 0.5],
         at: [-1.0, 1.0 - SPREAD, 0.5],
         up: [0.0, 0.0, 1.0],
@@ -45,7 +45,7 @@ const COLORS: [(&str, [f64; 3]); 6] = [
 ];
 
 fn build(spd: &mut Spd, size: u32) {
-    let white = spd.material("wall", &Surface::MATT);
+    let white = spd.material("wall", &Finish::MATT);
     spd.begin("wall", white);
     // It just fills the picture.
     let far = SPREAD * f64::from(size + 1);
@@ -57,13 +57,13 @@ fn build(spd: &mut Spd, size: u32) {
     for (number, (color, rgb)) in COLORS.into_iter().enumerate() {
         let material = spd.material(
             color,
-            &Surface {
+            &Finish {
                 color: rgb,
                 diffuse: 0.5,
                 mirror: 0.2,
                 highlight: 0.3,
                 angle: 37.0,
-                ..Surface::MATT
+                ..Finish::MATT
             },
         );
         let ring = ring(number);

@@ -1,6 +1,6 @@
 //! A tetrahedron of tetrahedra of tetrahedra: much emptiness between few rays that meet anything.
 
-use super::{Kind, Spd, Surface, View};
+use super::{Finish, Kind, Spd, Viewpoint};
 use crate::math::DVec3;
 
 pub const KIND: Kind = Kind {
@@ -9,7 +9,7 @@ pub const KIND: Kind = Kind {
     size: 6,
     count: |size| 4u64.saturating_pow(size),
     build,
-    view: View {
+    view: Viewpoint {
         from: [1.022_846, -3.177_154, -2.174_512],
         at: [-0.004_103, -0.004_103, 0.216_539],
         up: [-0.816_497, -0.816_497, 0.816_497],
@@ -28,9 +28,9 @@ const CORNERS: [[f64; 3]; 4] = [
 fn build(spd: &mut Spd, size: u32) {
     let red = spd.material(
         "red",
-        &Surface {
+        &Finish {
             color: [1.0, 0.2, 0.2],
-            ..Surface::MATT
+            ..Finish::MATT
         },
     );
     spd.begin("tetrahedra", red);

@@ -4,7 +4,7 @@
 
 use glam::{DAffine3, DMat3};
 
-use super::{Kind, SIDES, Spd, Surface, View, geometric_sum, turn};
+use super::{Finish, Kind, SIDES, Spd, Viewpoint, geometric_sum, turn};
 use crate::math::DVec3;
 
 pub const KIND: Kind = Kind {
@@ -18,7 +18,7 @@ pub const KIND: Kind = Kind {
             .saturating_add(2)
     },
     build,
-    view: View {
+    view: Viewpoint {
         from: [4.5, 0.4, 2.0],
         at: [0.0, 0.0, 1.5],
         up: [0.0, 0.0, 1.0],
@@ -43,14 +43,14 @@ const TAPER: f64 = 0.67;
 const THICKNESS: f64 = 0.15;
 
 fn build(spd: &mut Spd, size: u32) {
-    let grass = Surface {
+    let grass = Finish {
         color: [0.2, 0.7, 0.2],
-        ..Surface::MATT
+        ..Finish::MATT
     };
     let grass = spd.material("grass", &grass);
-    let bark = Surface {
+    let bark = Finish {
         color: [0.55, 0.4, 0.2],
-        ..Surface::MATT
+        ..Finish::MATT
     };
     let bark = spd.material("bark", &bark);
     spd.begin("field", grass);

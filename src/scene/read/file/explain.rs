@@ -2,7 +2,7 @@
 
 use serde_path_to_error::Path;
 
-use super::shape::Shape;
+use super::expected::Expected;
 use crate::scene::limits::MAX_GROUP_DEPTH;
 use crate::scene::read::did_you_mean::did_you_mean;
 use crate::scene::read::error::Problem;
@@ -84,13 +84,13 @@ fn by_word(word: &str) -> Option<Problem> {
 
 /// Values that are JSON, but not what the schema has at their path.
 fn by_shape(what: &str, word: &str, path: &Path) -> Option<Problem> {
-    let (shape, list_for_object) = Shape::at(path)?;
+    let (expected, list_for_object) = Expected::at(path)?;
     let too_long = what.starts_with("trailing characters");
     let wrong_length = too_long || what.starts_with("invalid length");
-    if shape.fields().is_some() && (list_for_object || wrong_length) {
+    if expected.fields().is_some() && (list_for_object || wrong_length) {
         return Some(Problem::new(
             "a list [...] stands here instead of an object with named fields",
-            format!("name the fields, such as {}", shape.example()),
+            format!("name the fields, such as {}", expected.example()),
         ));
     }
     if what.starts_with("invalid type: unit variant") {
@@ -100,44 +100,44 @@ fn by_shape(what: &str, word: &str, path: &Path) -> Option<Problem> {
             "the kind stands here without its fields",
             format!(
                 "write an object, such as {{\"{kind}\": {}}}",
-                shape.example()
+                expected.example()
             ),
         ));
     }
-    let no_value = what.starts_with("expected value") && shape.is_choice();
-    if no_value && !shape.kinds().is_empty() {
-        return Some(no_kind(word, shape));
+    let no_value = what.starts_with("expected value") && expected.is_choice();
+    if no_value && !expected.kinds().is_empty() {
+        return Some(no_kind(word, expected));
     }
-    let expected = shape.in_words();
+    let words = expected.in_words();
     let found = match found(what) {
         Some(found) => found,
-        None if too_long => "a longer list".to_string(),
+        None if too_long && expected.length().is_some() => "a longer list".to_string(),
         None if no_value => format!("`{word}`"),
         None => return None,
     };
-    let cure = match shape.length() {
+    let cure = match expected.length() {
         _ if what.starts_with("invalid type: null") => "write a value here, or leave the field out",
         Some(3) if wrong_length => {
             "points, vectors and colours have three numbers, such as [0, 1, 0]"
         }
         _ => "change the value to what is expected here",
     };
-    let problem = format!("here stands {found}; what is expected is {expected}");
+    let problem = format!("here stands {found}; what is expected is {words}");
     Some(Problem::new(problem, cure))
 }
 
 /// Something else than an object {...} that names one kind. After a second field the parser stops at the end of the
 /// first.
-fn no_kind(word: &str, shape: Shape) -> Problem {
+fn no_kind(word: &str, expected: Expected) -> Problem {
     let what = match word {
         "{}" => {
-            let cure = format!("name its kind, such as {}", shape.example());
+            let cure = format!("name its kind, such as {}", expected.example());
             return Problem::new("the object {} does not say what it is", cure);
         }
         "}" | "]" | "," | "" => "a second field stands beside the kind of an object",
         _ => "here is not an object {...} with one kind",
     };
-    let example = shape.example();
+    let example = expected.example();
     let cure = format!("one object has one kind: put everything inside, such as {example}");
     Problem::new(what, cure)
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Vector;
+use super::Triple;
 use crate::math::Rgb;
 
 /// A light.
@@ -41,7 +41,7 @@ pub struct PointFile {
     /// What it is there for.
     pub note: Option<String>,
     /// Where it is.
-    pub position: Vector,
+    pub position: Triple,
     /// Its strength, linear.
     pub intensity: Rgb,
     /// a, b, c: at distance r it is weakened by 1 / (a + b r + c r^2).
@@ -58,7 +58,7 @@ pub struct DirectionalFile {
     /// What it is there for.
     pub note: Option<String>,
     /// Where the light goes; any length but 0.
-    pub direction: Vector,
+    pub direction: Triple,
     /// Its strength, linear.
     pub intensity: Rgb,
 }
@@ -72,9 +72,9 @@ pub struct SpotFile {
     /// What it is there for.
     pub note: Option<String>,
     /// Where it is.
-    pub position: Vector,
+    pub position: Triple,
     /// A point on the axis of the cone.
-    pub look_at: Vector,
+    pub look_at: Triple,
     /// Its strength on the axis, linear.
     pub intensity: Rgb,
     /// a, b, c: at distance r it is weakened by 1 / (a + b r + c r^2).

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{TransformStep, Vector};
+use super::{TransformStep, Triple};
 
 /// Kind of object in a scene file: the fields that all of one material share, then its own.
 macro_rules! object_file {
@@ -93,7 +93,7 @@ object_file! {
     /// A sphere. u runs once around the y axis, v from the lowest point (0) to the highest (1).
     SphereFile {
         /// The centre.
-        pub center: Vector,
+        pub center: Triple,
         /// The radius, above 0.
         pub radius: f64,
     }
@@ -103,9 +103,9 @@ object_file! {
     /// An endless plane. u and v are metres from `point`.
     PlaneFile {
         /// A point of it.
-        pub point: Vector,
+        pub point: Triple,
         /// The direction at right angles to it; any length but 0.
-        pub normal: Vector,
+        pub normal: Triple,
     }
 }
 
@@ -113,9 +113,9 @@ object_file! {
     /// A disc. u runs once around it, v from the centre (0) to the rim (1).
     DiscFile {
         /// The centre.
-        pub center: Vector,
+        pub center: Triple,
         /// The direction at right angles to it, on its front; any length but 0.
-        pub normal: Vector,
+        pub normal: Triple,
         /// The radius, above 0.
         pub radius: f64,
     }
@@ -125,9 +125,9 @@ object_file! {
     /// A triangle. Its front is the side from which the corners run counter-clockwise.
     TriangleFile {
         /// The corners.
-        pub corners: [Vector; 3],
+        pub corners: [Triple; 3],
         /// Normals at the corners, for a look as if it were curved; any length but 0.
-        pub normals: Option<[Vector; 3]>,
+        pub normals: Option<[Triple; 3]>,
     }
 }
 
@@ -136,11 +136,11 @@ object_file! {
     /// u and v run from 0 to 1.
     QuadFile {
         /// One corner.
-        pub corner: Vector,
+        pub corner: Triple,
         /// The edge to the next corner.
-        pub u: Vector,
+        pub u: Triple,
         /// The other edge from the same corner.
-        pub v: Vector,
+        pub v: Triple,
     }
 }
 
@@ -148,9 +148,9 @@ object_file! {
     /// A solid box with faces along the axes. u and v run from 0 to 1 over each face.
     BoxFile {
         /// The corner with the smallest coordinates.
-        pub min: Vector,
+        pub min: Triple,
         /// The corner with the largest.
-        pub max: Vector,
+        pub max: Triple,
     }
 }
 
@@ -158,11 +158,11 @@ object_file! {
     /// A triangle mesh.
     MeshFile {
         /// Points.
-        pub vertices: Vec<Vector>,
+        pub vertices: Vec<Triple>,
         /// Triples of numbers of vertices, counted from 0.
         pub triangles: Vec<[u32; 3]>,
         /// A normal for each vertex, for a look as if it were curved; any length but 0.
-        pub normals: Option<Vec<Vector>>,
+        pub normals: Option<Vec<Triple>>,
         /// Surface coordinates for each vertex.
         pub uvs: Option<Vec<[f64; 2]>>,
     }

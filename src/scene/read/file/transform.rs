@@ -3,14 +3,14 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Vector;
+use super::Triple;
 
 /// One step of a transform.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum TransformStep {
     /// Move by a vector.
-    Translate(Vector),
+    Translate(Triple),
     /// Turn around an axis through the origin.
     Rotate(RotateFile),
     /// Stretch from the origin.
@@ -26,7 +26,7 @@ pub struct RotateFile {
     /// What it is there for.
     pub note: Option<String>,
     /// The axis; any length but 0.
-    pub axis: Vector,
+    pub axis: Triple,
     /// The angle.
     pub degrees: f64,
 }
@@ -41,5 +41,5 @@ pub enum ScaleFile {
     /// In all directions alike.
     Even(f64),
     /// Along x, y and z.
-    Axes(Vector),
+    Axes(Triple),
 }

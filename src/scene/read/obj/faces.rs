@@ -7,7 +7,7 @@ use crate::scene::limits::MAX_CORNERS;
 use crate::scene::read::error::Problem;
 
 /// How many there are: points, texture coordinates, normals.
-pub type Counts = [usize; 3];
+pub type VertexCounts = [usize; 3];
 
 /// A corner of a triangle that has no normal, or no texture coordinates.
 pub const NONE: [u32; 3] = [u32::MAX; 3];
@@ -43,17 +43,17 @@ pub enum Mark {
 }
 
 /// A piece with what comes before it.
-pub struct Piece<'a> {
+pub struct Chunk<'a> {
     /// Its text.
     pub text: &'a str,
     /// The number of its first line, from 1.
     pub line: usize,
     /// What the file has before it.
-    pub before: Counts,
+    pub before: VertexCounts,
 }
 
 /// Reads a piece; `points` are those of the whole file, `totals` what the whole file has.
-pub fn read(piece: &Piece, points: &[DVec3], totals: Counts) -> Faces {
+pub fn read(piece: &Chunk, points: &[DVec3], totals: VertexCounts) -> Faces {
     let mut found = Faces::default();
     let (mut counts, mut corners) = (piece.before, Vec::new());
     for (number, line) in (piece.line..).zip(piece.text.lines()) {
@@ -77,7 +77,11 @@ pub fn read(piece: &Piece, points: &[DVec3], totals: Counts) -> Faces {
 }
 
 /// The corners of a face: of each the point, the texture coordinates and the normal, if it has them.
-fn outline(line: &str, counts: Counts, corners: &mut Vec<[Option<u32>; 3]>) -> Result<(), Problem> {
+fn outline(
+    line: &str,
+    counts: VertexCounts,
+    corners: &mut Vec<[Option<u32>; 3]>,
+) -> Result<(), Problem> {
     corners.clear();
     for corner in rest(line) {
         let mut parts = corner.split('/');
@@ -120,7 +124,7 @@ impl Faces {
         line: usize,
         corners: &[[Option<u32>; 3]],
         points: &[DVec3],
-        totals: Counts,
+        totals: VertexCounts,
     ) {
         match corners.len() {
             0..3 => {
@@ -148,7 +152,7 @@ impl Faces {
         line: usize,
         corners: &[[Option<u32>; 3]],
         cut: [usize; 3],
-        totals: Counts,
+        totals: VertexCounts,
     ) {
         let of = |kind: usize| {
             let all = corners.iter().all(|corner| corner[kind].is_some());

@@ -10,7 +10,7 @@ use crate::shading::Material;
 
 /// What one `newmtl` says.
 #[derive(Clone, Debug)]
-struct Entry {
+struct MtlEntry {
     name: String,
     ambient: Option<Rgb>,
     diffuse: Rgb,
@@ -29,16 +29,16 @@ pub fn parse<'a>(
     mut wanted: impl FnMut(&str) -> bool,
 ) -> Result<Vec<Material>, (usize, Problem)> {
     let mut materials = Vec::new();
-    let mut entry: Option<Entry> = None;
-    let mut finish = |entry: Option<Entry>| {
+    let mut entry: Option<MtlEntry> = None;
+    let mut finish = |entry: Option<MtlEntry>| {
         let wanted = entry.filter(|entry| wanted(&entry.name));
-        materials.extend(wanted.map(Entry::material));
+        materials.extend(wanted.map(MtlEntry::material));
     };
     for (line, mut words) in (1..).zip(text.lines().map(str::split_whitespace)) {
         let Some(key) = words.next() else { continue };
         let rest: Vec<&'a str> = words.collect();
         if key == "newmtl" {
-            finish(entry.replace(Entry::new(rest.join(" "))));
+            finish(entry.replace(MtlEntry::new(rest.join(" "))));
         } else {
             read_line(key, &rest, entry.as_mut()).map_err(|problem| (line, problem))?;
         }
@@ -49,10 +49,10 @@ pub fn parse<'a>(
 
 /// A material of which nothing is said but its name.
 pub fn matt_grey(name: &str) -> Material {
-    Entry::new(name.to_string()).material()
+    MtlEntry::new(name.to_string()).material()
 }
 
-fn read_line(key: &str, rest: &[&str], entry: Option<&mut Entry>) -> Result<(), Problem> {
+fn read_line(key: &str, rest: &[&str], entry: Option<&mut MtlEntry>) -> Result<(), Problem> {
     if !["Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum"].contains(&key) {
         return Ok(());
     }
@@ -117,7 +117,7 @@ fn number(key: &str, words: &[&str], [min, max]: [f64; 2]) -> Result<f64, Proble
     }
 }
 
-impl Entry {
+impl MtlEntry {
     fn new(name: String) -> Self {
         Self {
             name,

@@ -1,14 +1,14 @@
 //! From the faces of an OBJ file to its parts: runs of triangles with one name and one material.
 
-use super::Part;
+use super::ObjPart;
 use super::faces::{Faces, Mark, NONE};
-use super::surface::Surface;
+use super::surface::ObjSurface;
 use crate::math::{DVec2, DVec3};
 use crate::scene::VertexData;
 use crate::scene::read::mesh::Mesh;
 
 /// A run of triangles.
-struct Run {
+struct PartRange {
     name: String,
     material: Option<usize>,
     first: usize,
@@ -16,9 +16,9 @@ struct Run {
 }
 
 /// All of it as one part.
-pub fn whole(surface: Surface) -> Part {
+pub fn whole(surface: ObjSurface) -> ObjPart {
     let (points, uvs, normals) = (surface.points, surface.uvs, surface.normals);
-    Part {
+    ObjPart {
         name: String::new(),
         material: None,
         mesh: mesh(points, uvs, normals, surface.faces),
@@ -26,12 +26,12 @@ pub fn whole(surface: Surface) -> Part {
 }
 
 /// The parts, in their order. `material` is the number of the material with a name, if there is one.
-pub fn parts(mut surface: Surface, material: impl Fn(&str) -> Option<usize>) -> Vec<Part> {
+pub fn parts(mut surface: ObjSurface, material: impl Fn(&str) -> Option<usize>) -> Vec<ObjPart> {
     let marks = std::mem::take(&mut surface.faces.marks);
     let mut runs = runs(marks, surface.faces.triangles.len(), material);
     if runs.len() == 1 {
         let run = runs.remove(0);
-        return vec![Part {
+        return vec![ObjPart {
             name: run.name,
             material: run.material,
             mesh: whole(surface).mesh,
@@ -42,7 +42,7 @@ pub fn parts(mut surface: Surface, material: impl Fn(&str) -> Option<usize>) -> 
     let mut uvs = Numbering::new(&surface.uvs);
     let mut normals = Numbering::new(&surface.normals);
     let faces = &surface.faces;
-    let part = |run: Run| {
+    let part = |run: PartRange| {
         let of = |list: &[[u32; 3]]| match list {
             [] => Vec::new(),
             list => list[run.first..run.end].to_vec(),
@@ -57,7 +57,7 @@ pub fn parts(mut surface: Surface, material: impl Fn(&str) -> Option<usize>) -> 
         let points = points.renumber(&mut own.triangles);
         let uvs = uvs.renumber(&mut own.uvs);
         let normals = normals.renumber(&mut own.normals);
-        Part {
+        ObjPart {
             name: run.name,
             material: run.material,
             mesh: mesh(points, uvs, normals, own),
@@ -71,7 +71,7 @@ fn runs(
     marks: Vec<(usize, usize, Mark)>,
     end: usize,
     number: impl Fn(&str) -> Option<usize>,
-) -> Vec<Run> {
+) -> Vec<PartRange> {
     let (mut runs, mut first) = (Vec::new(), 0);
     let (mut name, mut material) = (String::new(), None);
     for (at, _, mark) in marks {
@@ -84,7 +84,7 @@ fn runs(
         };
         let ends = is_name || next_material != material;
         if ends && at > first {
-            runs.push(Run {
+            runs.push(PartRange {
                 name,
                 material,
                 first,
@@ -95,7 +95,7 @@ fn runs(
         (name, material) = (next_name, next_material);
     }
     if end > first {
-        runs.push(Run {
+        runs.push(PartRange {
             name,
             material,
             first,

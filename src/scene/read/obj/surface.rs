@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::faces::{self, Counts, Faces, Piece};
+use super::faces::{self, Chunk, Faces, VertexCounts};
 use super::vertices;
 use crate::math::{DVec2, DVec3};
 use crate::scene::limits::MAX_PRIMITIVES;
@@ -17,7 +17,7 @@ const AT_ONCE: usize = 64;
 
 /// The surface that an OBJ file describes, before it is parted.
 #[derive(Debug, Default)]
-pub struct Surface {
+pub struct ObjSurface {
     /// Points.
     pub points: Vec<DVec3>,
     /// Texture coordinates.
@@ -29,12 +29,12 @@ pub struct Surface {
 }
 
 /// Reads the text of an OBJ file; an error tells the line of its first mistake, from 1.
-pub fn read(text: &str) -> Result<Surface, (usize, Problem)> {
+pub fn read(text: &str) -> Result<ObjSurface, (usize, Problem)> {
     read_in_pieces(text, PIECE)
 }
 
-/// The same in pieces of about `size` bytes, which makes no difference to what is read.
-pub fn read_in_pieces(text: &str, size: usize) -> Result<Surface, (usize, Problem)> {
+/// Reads the text in pieces of about `size` bytes, whose number changes nothing.
+pub fn read_in_pieces(text: &str, size: usize) -> Result<ObjSurface, (usize, Problem)> {
     let texts = split(text, size);
     let mut vertices: Vec<_> = texts.par_iter().map(|text| vertices::read(text)).collect();
     let mut pieces = Vec::with_capacity(texts.len());
@@ -42,8 +42,8 @@ pub fn read_in_pieces(text: &str, size: usize) -> Result<Surface, (usize, Proble
     let mut mistake = None;
     for (&text, found) in texts.iter().zip(&mut vertices) {
         let before = counts;
-        pieces.push(Piece { text, line, before });
-        let more: Counts = [found.points.len(), found.uvs.len(), found.normals.len()];
+        pieces.push(Chunk { text, line, before });
+        let more: VertexCounts = [found.points.len(), found.uvs.len(), found.normals.len()];
         counts = std::array::from_fn(|i| counts[i] + more[i]);
         // What comes after the first mistake is of no interest, and could not be numbered.
         if let Some((number, problem)) = found.mistake.take() {
@@ -52,14 +52,14 @@ pub fn read_in_pieces(text: &str, size: usize) -> Result<Surface, (usize, Proble
         }
         line += found.lines;
     }
-    let mut surface = Surface::default();
+    let mut surface = ObjSurface::default();
     for found in vertices {
         surface.points.extend(found.points);
         surface.uvs.extend(found.uvs);
         surface.normals.extend(found.normals);
     }
     let points = &surface.points;
-    let read = |piece: &Piece| faces::read(piece, points, counts);
+    let read = |piece: &Chunk| faces::read(piece, points, counts);
     let mut all = Faces::default();
     for some in pieces.chunks(AT_ONCE) {
         let mut faces: Vec<_> = some.par_iter().map(read).collect();

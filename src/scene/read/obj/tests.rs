@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::surface::{Surface, read, read_in_pieces};
+use super::surface::{ObjSurface, read, read_in_pieces};
 use crate::math::sampler::mix;
 
 const THREE: &str = "v 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 0.5\nvn 0 0 1\nvt 0 0\n";
@@ -134,7 +134,7 @@ fn random(seed: u64, count: u32) -> String {
 }
 
 /// All that was read, to compare.
-fn all(surface: &Surface) -> String {
+fn all(surface: &ObjSurface) -> String {
     format!("{surface:?}")
 }
 

@@ -3,10 +3,10 @@
 use crate::math::{DVec3, Rgb};
 use crate::scene::limits::{MAX_COORDINATE, MAX_NAME_BYTES};
 use crate::scene::read::error::{FieldPath, SceneError};
-use crate::scene::read::file::Vector;
+use crate::scene::read::file::Triple;
 
 /// A finite point, not too far away.
-pub fn point(v: Vector, path: &FieldPath) -> Result<DVec3, SceneError> {
+pub fn point(v: Triple, path: &FieldPath) -> Result<DVec3, SceneError> {
     for (i, c) in v.into_iter().enumerate() {
         number(c, [-MAX_COORDINATE, MAX_COORDINATE], &path.index(i))?;
     }
@@ -14,7 +14,7 @@ pub fn point(v: Vector, path: &FieldPath) -> Result<DVec3, SceneError> {
 }
 
 /// A direction of any length but 0, made unit.
-pub fn direction(v: Vector, path: &FieldPath) -> Result<DVec3, SceneError> {
+pub fn direction(v: Triple, path: &FieldPath) -> Result<DVec3, SceneError> {
     let v = point(v, path)?;
     // Scaled first, so that the square of a small length does not vanish.
     (v / v.abs().max_element()).try_normalize().ok_or_else(|| {
@@ -26,8 +26,8 @@ pub fn direction(v: Vector, path: &FieldPath) -> Result<DVec3, SceneError> {
 }
 
 /// Finite points, not too far away.
-pub fn points(list: &[Vector], path: &FieldPath) -> Result<Vec<DVec3>, SceneError> {
-    let inside = |v: &Vector| v.iter().all(|c| c.abs() <= MAX_COORDINATE);
+pub fn points(list: &[Triple], path: &FieldPath) -> Result<Vec<DVec3>, SceneError> {
+    let inside = |v: &Triple| v.iter().all(|c| c.abs() <= MAX_COORDINATE);
     if let Some(i) = list.iter().position(|v| !inside(v)) {
         point(list[i], &path.index(i))?;
     }
@@ -35,8 +35,8 @@ pub fn points(list: &[Vector], path: &FieldPath) -> Result<Vec<DVec3>, SceneErro
 }
 
 /// Directions of any length but 0, made unit.
-pub fn directions(list: &[Vector], path: &FieldPath) -> Result<Vec<DVec3>, SceneError> {
-    let unit = |(i, v): (usize, &Vector)| direction(*v, &path.index(i));
+pub fn directions(list: &[Triple], path: &FieldPath) -> Result<Vec<DVec3>, SceneError> {
+    let unit = |(i, v): (usize, &Triple)| direction(*v, &path.index(i));
     list.iter().enumerate().map(unit).collect()
 }
 

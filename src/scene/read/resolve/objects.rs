@@ -3,7 +3,7 @@
 use super::header::{Group, Header};
 use super::resolver::Resolver;
 use super::shapes::in_world;
-use super::surface::{Surface, surface};
+use super::surface::{LocalSurface, surface};
 use crate::scene::limits::MAX_GROUP_DEPTH;
 use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::ObjectFile;
@@ -52,10 +52,10 @@ impl Resolver {
                 self.add_objects(&file.objects, &inner, &header.path.key("objects"))
             }
             (ObjectFile::Obj(file), _, material) => self.add_model(&file.file, material, &header),
-            (_, Some(Surface::Mesh(mesh)), Some(material)) => {
+            (_, Some(LocalSurface::Mesh(mesh)), Some(material)) => {
                 self.add_mesh(&header, material, mesh)
             }
-            (_, Some(Surface::Shape(shape)), Some(material)) => {
+            (_, Some(LocalSurface::Shape(shape)), Some(material)) => {
                 let turn_shows = self.scene.materials[material as usize].checker.is_some();
                 let shape = in_world(shape, header.to_world.as_ref(), turn_shows);
                 self.begin(&header.name, material, &header.path)?;

@@ -1,53 +1,53 @@
-//! Surface of an object in its own space, by the object's kind.
+//! LocalSurface of an object in its own space, by the object's kind.
 
 use super::checks::{direction, directions, point, points, positive};
 use crate::geometry::{Aabb, Cuboid, Disc, Plane, Shape, Sphere};
 use crate::math::{DVec2, DVec3};
 use crate::scene::VertexData;
 use crate::scene::read::error::{FieldPath, SceneError};
-use crate::scene::read::file::{MeshFile, ObjectFile, TriangleFile, Vector};
+use crate::scene::read::file::{MeshFile, ObjectFile, TriangleFile, Triple};
 use crate::scene::read::mesh::Mesh;
 
-/// Surface of an object in its own space.
-pub enum Surface {
+/// LocalSurface of an object in its own space.
+pub enum LocalSurface {
     /// One shape.
     Shape(Shape),
     /// Triangles.
     Mesh(Mesh),
 }
 
-/// Surface of an object; `None` for a group and for a model, whose surface is in another file.
-pub fn surface(object: &ObjectFile, path: &FieldPath) -> Result<Option<Surface>, SceneError> {
+/// LocalSurface of an object; `None` for a group and for a model, whose surface is in another file.
+pub fn surface(object: &ObjectFile, path: &FieldPath) -> Result<Option<LocalSurface>, SceneError> {
     Ok(Some(match object {
         ObjectFile::Sphere(s) => {
             let center = point(s.center, &path.key("center"))?;
             let radius = positive(s.radius, &path.key("radius"))?;
-            Surface::Shape(Shape::Sphere(Sphere { center, radius }))
+            LocalSurface::Shape(Shape::Sphere(Sphere { center, radius }))
         }
         ObjectFile::Disc(d) => {
             let center = point(d.center, &path.key("center"))?;
             let normal = direction(d.normal, &path.key("normal"))?;
             let radius = positive(d.radius, &path.key("radius"))?;
             let disc = Disc::new(center, normal, radius);
-            Surface::Shape(Shape::Disc(Box::new(disc)))
+            LocalSurface::Shape(Shape::Disc(Box::new(disc)))
         }
         ObjectFile::Plane(p) => {
             let point = point(p.point, &path.key("point"))?;
             let normal = direction(p.normal, &path.key("normal"))?;
-            Surface::Shape(Shape::Plane(Box::new(Plane::new(point, normal))))
+            LocalSurface::Shape(Shape::Plane(Box::new(Plane::new(point, normal))))
         }
         ObjectFile::Box(b) => {
             let bounds = bounds(b.min, b.max, path)?;
-            Surface::Shape(Shape::Cuboid(Cuboid { bounds }))
+            LocalSurface::Shape(Shape::Cuboid(Cuboid { bounds }))
         }
-        ObjectFile::Triangle(t) => Surface::Mesh(triangle(t, path)?),
+        ObjectFile::Triangle(t) => LocalSurface::Mesh(triangle(t, path)?),
         ObjectFile::Quad(q) => {
             let corner = point(q.corner, &path.key("corner"))?;
             let u = point(q.u, &path.key("u"))?;
             let v = point(q.v, &path.key("v"))?;
-            Surface::Mesh(parallelogram(corner, u, v))
+            LocalSurface::Mesh(parallelogram(corner, u, v))
         }
-        ObjectFile::Mesh(m) => Surface::Mesh(mesh(m, path)?),
+        ObjectFile::Mesh(m) => LocalSurface::Mesh(mesh(m, path)?),
         ObjectFile::Obj(_) | ObjectFile::Group(_) => return Ok(None),
     }))
 }
@@ -67,7 +67,7 @@ fn triangle(file: &TriangleFile, path: &FieldPath) -> Result<Mesh, SceneError> {
     })
 }
 
-fn bounds(min: Vector, max: Vector, path: &FieldPath) -> Result<Aabb, SceneError> {
+fn bounds(min: Triple, max: Triple, path: &FieldPath) -> Result<Aabb, SceneError> {
     let min = point(min, &path.key("min"))?;
     let max = point(max, &path.key("max"))?;
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Shape that a scene file has at a path, looked up in its JSON Schema: what messages say is expected there.
+//! What the format of scene files has at a path, looked up in its JSON Schema.
 
 use std::sync::LazyLock;
 
@@ -10,24 +10,28 @@ use super::SceneFile;
 /// JSON Schema of scene files, made from their types when it is first needed.
 pub static SCHEMA: LazyLock<Value> = LazyLock::new(|| schemars::schema_for!(SceneFile).to_value());
 
-/// Part of the schema.
+/// Part of the schema: what is expected at a path.
 #[derive(Clone, Copy)]
-pub struct Shape(&'static Value);
+pub struct Expected(&'static Value);
 
-impl Shape {
-    /// Shape at `path`, and whether the path goes on into a list where an object with named fields is expected. `None`
-    /// if the format has nothing there.
+impl Expected {
+    /// What is expected at `path`, and whether the path goes on into a list where an object with named fields is
+    /// expected. `None` if the format has nothing there.
     pub fn at(path: &Path) -> Option<(Self, bool)> {
-        let mut shape = Self(&SCHEMA);
+        let mut expected = Self(&SCHEMA);
         for segment in path {
             match segment {
-                Segment::Seq { .. } if shape.fields().is_some() => return Some((shape, true)),
-                Segment::Seq { .. } => shape = shape.step("items")?,
-                Segment::Map { key } | Segment::Enum { variant: key } => shape = shape.key(key)?,
+                Segment::Seq { .. } if expected.fields().is_some() => {
+                    return Some((expected, true));
+                }
+                Segment::Seq { .. } => expected = expected.step("items")?,
+                Segment::Map { key } | Segment::Enum { variant: key } => {
+                    expected = expected.key(key)?
+                }
                 Segment::Unknown => {}
             }
         }
-        Some((shape, false))
+        Some((expected, false))
     }
 
     /// Part of this one under a keyword, without references and without what stands beside `null`.
@@ -44,7 +48,7 @@ impl Shape {
         }
     }
 
-    /// Shape of the field `key` of an object, or of the kind `key`.
+    /// What is expected of the field `key` of an object, or of the kind `key`.
     fn key(self, key: &str) -> Option<Self> {
         let fields = Self(self.0.get("properties").unwrap_or(&Value::Null));
         let kinds = self.0["oneOf"].as_array().into_iter().flatten();
