@@ -23,7 +23,7 @@ const SLIDE_RATE: f64 = 100_000.0;
 fn seconds(world: &World, settings: &Settings) -> f64 {
     let start = Instant::now();
     let (film, _) = render::<Silent>(world, settings, 1, &|_, _| Flow::Continue);
-    assert!(!film.cut, "nothing is left out");
+    assert!(!film.truncated, "nothing is left out");
     start.elapsed().as_secs_f64()
 }
 

@@ -45,7 +45,7 @@ const SCENES: [&str; 11] = [
 fn seconds(world: &World, settings: &Settings, threads: usize) -> f64 {
     let start = Instant::now();
     let (film, _) = render::<Silent>(world, settings, threads, &|_, _| Flow::Continue);
-    assert!(!film.cut, "nothing is left out");
+    assert!(!film.truncated, "nothing is left out");
     start.elapsed().as_secs_f64()
 }
 

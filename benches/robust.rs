@@ -15,9 +15,9 @@ use raytree::accel::fastest;
 use raytree::geometry::naive::{sphere, triangle};
 use raytree::geometry::{Intersection, Shear, Sphere, Triangle};
 use raytree::lab::{Effort, Knob, Lab, knobs};
-use raytree::math::Sampler;
-use raytree::math::sampler::{mix, unit};
 use raytree::math::{DVec3, Interval, Ray};
+use raytree::sampling::Sampler;
+use raytree::sampling::stream::{splitmix64, to_unit_f64};
 use raytree::scene::load;
 use raytree::world::World;
 
@@ -35,7 +35,7 @@ const SHAPES: usize = 1024;
 
 /// A point in the cube [-1, 1)^3.
 fn point(number: usize) -> DVec3 {
-    let [x, y, z] = [0, 1, 2].map(|axis| unit(mix((3 * number + axis) as u64)));
+    let [x, y, z] = [0, 1, 2].map(|axis| to_unit_f64(splitmix64((3 * number + axis) as u64)));
     DVec3::new(x, y, z) * 2.0 - 1.0
 }
 

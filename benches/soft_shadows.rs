@@ -14,8 +14,8 @@ use std::time::Instant;
 use raytree::accel::AccelKind;
 use raytree::lab::Reference;
 use raytree::lab::error::errors;
-use raytree::math::{LightSampling, Sampler};
 use raytree::probe::Silent;
+use raytree::sampling::{LightSampling, Sampler};
 use raytree::scene::{self, Adaptive, Pilot, Settings};
 use raytree::tracer::{Film, Flow, render};
 use raytree::world::World;
@@ -75,7 +75,7 @@ struct Drawn {
 fn draw(world: &World, settings: &Settings, threads: usize) -> (Film, f64) {
     let start = Instant::now();
     let (film, _) = render::<Silent>(world, settings, threads, &|_, _| Flow::Continue);
-    assert!(!film.cut, "nothing is left out");
+    assert!(!film.truncated, "nothing is left out");
     (film, start.elapsed().as_secs_f64())
 }
 

@@ -6,6 +6,8 @@
 
 pub mod math;
 
+pub mod sampling;
+
 pub mod geometry;
 
 pub mod probe;

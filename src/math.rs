@@ -4,22 +4,16 @@
 //! user reads). Colours are linear RGB radiance. All numbers are `f64`. Elementary functions come from `libm`, so
 //! that a ray tree has the same bits on every machine.
 
-pub mod filter;
 pub mod frame;
 pub mod interval;
-pub mod points;
 pub mod ray;
 pub mod rgb;
 pub mod rounding;
-pub mod sampler;
-pub mod sobol;
 pub mod transform;
 
-pub use filter::Filter;
 pub use frame::Frame;
 pub use glam::{DVec2, DVec3};
 pub use interval::Interval;
-pub use points::{LightSampling, Sampler};
 pub use ray::Ray;
 pub use rgb::Rgb;
 pub use transform::Transform;

@@ -18,4 +18,4 @@ pub use light_sample::LightSample;
 pub use material::{Checker, Material};
 pub use optics::Fresnel;
 pub use point::{FresnelSplit, Secondary, ShadingPoint};
-pub use projected::Projected;
+pub use projected::ProjectedPolygon;

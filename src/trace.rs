@@ -28,7 +28,7 @@ pub use tree::{Node, Outcome, RayTree};
 pub use view::View;
 
 use crate::scene::Settings;
-use crate::tracer::{Pixel, on_threads, pixel};
+use crate::tracer::{Pixel, pixel, thread_pool};
 use crate::world::World;
 
 /// A recorded pixel.
@@ -53,7 +53,7 @@ pub fn trace_pixel(
     traversal: bool,
 ) -> PixelTrace {
     let settings = settings.with(|s| s.pixel.errors = true);
-    let (pixel, tree) = on_threads(1, || {
+    let (pixel, tree) = thread_pool::install(1, || {
         if traversal {
             record(Recorder::<true>::default(), world, &settings, (x, y))
         } else {

@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-use crate::tracer::picture::ColorLevel;
+use crate::tracer::image::ColorLevel;
 
 /// The choice of colours on a terminal.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]

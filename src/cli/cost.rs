@@ -20,7 +20,7 @@ use crate::lab::{
     CostModel, Effort, EqualTime, Lab, Parameter, Reference, Sweep, affordable, equal_time,
     parameters, plot,
 };
-use crate::math::Sampler;
+use crate::sampling::Sampler;
 use crate::scene::limits::MAX_SECONDS;
 use crate::scene::{Sampling, Settings, flags};
 use crate::world::World;

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use super::Completion;
 use crate::scene::SceneError;
 use crate::tracer::Film;
-use crate::tracer::picture::png;
+use crate::tracer::image::png;
 
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]

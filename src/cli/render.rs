@@ -18,11 +18,11 @@ use super::settings::check::parse_positive;
 use super::{ColorArg, Completion, Failure, command_line, output};
 use crate::accel::fastest;
 use crate::lab::converge::{Convergence, StopReason, converge};
-use crate::math::Sampler;
+use crate::sampling::Sampler;
 use crate::probe::Silent;
 use crate::scene::Settings;
 use crate::trace::Counts;
-use crate::tracer::picture::text;
+use crate::tracer::image::terminal;
 use crate::tracer::{Film, Flow, render};
 use crate::world::World;
 
@@ -84,7 +84,7 @@ impl Render {
             files::picture(path, film, settings.image.exposure)?;
         } else {
             let level = self.color.level();
-            let picture = text::lines(film, settings.image.exposure, level);
+            let picture = terminal::lines(film, settings.image.exposure, level);
             output::to_stdout(picture.as_bytes())?;
         }
         if let Some(path) = &self.error_map {
@@ -100,8 +100,8 @@ impl Render {
         if let (Some(found), Some(wanted)) = (&made.found, self.until_error) {
             eprint!("{}", report::passes(found, wanted, (name, &world.scene)));
         }
-        if let Some(((x, y), sample)) = film.spoiled.first {
-            let count = film.spoiled.count;
+        if let Some(((x, y), sample)) = film.non_finite.first {
+            let count = film.non_finite.count;
             let words = command_line::words(name, settings, &world.scene);
             eprintln!(
                 "warning: samples without a finite radiance: {count}; they count as black. The first is sample {sample} \
@@ -112,7 +112,7 @@ of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
             eprintln!("warning: interrupted: the tiles that were not reached are black");
             return Ok(Completion::Cut);
         }
-        if film.cut {
+        if film.truncated {
             eprintln!("warning: {CUT}");
             return Ok(Completion::Cut);
         }

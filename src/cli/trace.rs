@@ -71,7 +71,7 @@ impl Trace {
             );
             return Ok(Completion::Cut);
         }
-        if trace.pixel.cut {
+        if trace.pixel.truncated {
             eprintln!("warning: {}", super::render::CUT);
             return Ok(Completion::Cut);
         }

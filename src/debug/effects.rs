@@ -1,7 +1,8 @@
 //! Effects that the user switches, and the remark about everything that is not computed as usual.
 
 use crate::scene::Settings;
-use crate::scene::effects::{Effects, Finding};
+use crate::scene::Effects;
+use crate::scene::effects::Finding;
 
 /// The effects with one switched; an error if the scene does not call for it, so that it could change nothing.
 pub fn switched(effects: Effects, finding: &Finding) -> Result<Effects, String> {

@@ -6,7 +6,7 @@ use super::window::Window;
 use crate::math::Rgb;
 use crate::probe::Silent;
 use crate::scene::Settings;
-use crate::tracer::{on_threads, pixel};
+use crate::tracer::{pixel, thread_pool};
 use crate::world::World;
 
 /// The sides of the blocks of the passes, in pixels.
@@ -41,7 +41,7 @@ pub fn render(
         let pixels: Vec<(u32, u32)> = corners(missing.window, pass, block)
             .filter(is_missing)
             .collect();
-        on_threads(threads, || {
+        thread_pool::install(threads, || {
             pixels.par_chunks(BATCH).for_each(|batch| {
                 let mut done = Vec::with_capacity(batch.len());
                 for at in batch {

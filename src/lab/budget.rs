@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::effort::{EFFORTS, Effort};
 use super::parameter::Parameter;
 use super::parameters::parameters;
-use crate::math::Sampler;
+use crate::sampling::Sampler;
 use crate::probe::Silent;
 use crate::scene::Settings;
 use crate::trace::Counts;

@@ -3,11 +3,11 @@
 //! The error of a picture is the root of the mean square of its pixels' standard errors (of linear luminance): what
 //! the RMSE against the true picture is expected to be. Each pass is a picture with so many samples for all pixels, from
 //! the start, so that the last one can be had again by asking for its number of samples. The samples are parted into
-//! sets, from whose differences the error is estimated (see [`crate::tracer::spread`]).
+//! sets, from whose differences the error is estimated (see [`crate::sampling::batch_means`]).
 
 use std::time::Instant;
 
-use crate::math::Sampler;
+use crate::sampling::Sampler;
 use crate::probe::Silent;
 use crate::scene::{Settings, limits};
 use crate::tracer::{Film, Flow, render};
@@ -89,7 +89,7 @@ pub fn converge(
         spent += rays;
         let next = whole_sets(f64::from(samples) * growth(&now, error / wanted));
         let cost = rays as f64 * f64::from(next) / f64::from(samples);
-        let stop = if film.cut {
+        let stop = if film.truncated {
             StopReason::Cut
         } else if error <= wanted {
             StopReason::Reached

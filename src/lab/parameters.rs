@@ -4,7 +4,7 @@ use super::arithmetic_sweep;
 use super::effort::Effort;
 use super::parameter::{LIGHT_SAMPLES, PIXEL_SAMPLES, Parameter, Step, swept};
 use crate::accel::AccelKind;
-use crate::math::{LightSampling, Sampler};
+use crate::sampling::{LightSampling, Sampler};
 use crate::scene::effects::effects;
 use crate::scene::{Adaptive, Pilot, Sampling, Settings, limits};
 use crate::shading::Effect;

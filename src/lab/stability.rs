@@ -18,7 +18,7 @@ pub use picture::{Panel, Picture};
 
 use crate::geometry::{Arithmetic, Naive, Shape};
 use crate::math::DVec3;
-use crate::math::sampler::{mix, unit};
+use crate::sampling::stream::{splitmix64, to_unit_f64};
 
 /// A hard case.
 #[derive(Clone, Copy, Debug)]
@@ -75,8 +75,8 @@ struct Chance(u64);
 
 impl Chance {
     fn next(&mut self) -> f64 {
-        self.0 = mix(self.0);
-        unit(self.0)
+        self.0 = splitmix64(self.0);
+        to_unit_f64(self.0)
     }
 
     /// A point of the cube [-1, 1]^3.

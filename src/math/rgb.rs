@@ -49,6 +49,11 @@ impl Rgb {
         self.channels() == [0.0; 3]
     }
 
+    /// The colour, or black if a channel is NaN or infinite, so that it does not spread into a sum.
+    pub fn finite_or_black(self) -> Self {
+        if self.is_finite() { self } else { Self::BLACK }
+    }
+
     /// True if no channel is NaN or infinite.
     pub fn is_finite(self) -> bool {
         self.channels().iter().all(|c| c.is_finite())

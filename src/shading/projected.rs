@@ -1,45 +1,50 @@
-//! A polygon that shines, as a matt surface sees it: directions in proportion to what each brings.
+//! Projected solid angle sampling of a polygonal light: directions in proportion to their cosine on a matt surface.
 //!
 //! A matt surface weighs the light from a direction w by its cosine with the normal. So let w stand on the hemisphere
 //! over the surface and drop it onto the floor below: what arrives from a polygon of radiance Le is Le times the area
 //! P of the polygon's shadow in the unit disc (the Nusselt analog). A direction that is even in this shadow brings
-//! Le P whatever it is, so the only chance that is left is whether something stands in the way.
+//! Le P whatever it is, so the only noise that is left is that of occlusion.
 //!
 //! An edge of the polygon is a part of a great circle; dropped onto the disc, a part of an ellipse around the middle.
 //! Cut at the azimuths of its corners the shadow is a fan of sectors between an outer and an inner ellipse. Both the
 //! area under an ellipse and the ellipse itself have closed forms.
 //!
+//! In code: `clip` cuts the polygon at the horizon, [`ProjectedPolygon::new`] cuts its shadow into a fan of
+//! `sector`s, whose borders are `edge`s; [`ProjectedPolygon::direction`] chooses a sector by its area, an azimuth in
+//! it by the area before it, and a radius.
+//!
 //! Source: Lambert 1760 for P; Peters 2021, "BRDF importance sampling for polygonal lights", for the fan of sectors; the
 //! area under an edge by the angle along it, and its inverse by Newton's method, are derived here.
 
+mod clip;
+mod edge;
 mod sector;
 
-use self::sector::{Edge, Sector, azimuth, rotated, turn};
+use self::clip::{MAX_CORNERS, above_horizon};
+use self::edge::{Edge, azimuth, rotated, turn};
+use self::sector::Sector;
 use crate::math::{DVec3, Frame};
 
-/// Corners of a light's polygon at most: four, and one more where the horizon cuts it.
-const CORNERS: usize = 5;
+/// The smallest P that is worth it: a light with less is so far away or so low that all its points bring nearly the
+/// same, while P, a difference of sectors, would lose digits: its relative error is 1e-16 / P.
+const MIN_AREA: f64 = 1e-3;
 
-/// Shadows smaller than this are those of lights so far away or so low that every point of them brings nearly the
-/// same, while P, a difference of sectors, would lose digits: 1e-16 / P of it are noise.
-const SMALLEST: f64 = 1e-3;
-
-/// Edges whose plane stands so nearly upright have no area under them: their ellipse is a line.
+/// The height of an edge's unit normal below which its plane is upright: no area is under it, its ellipse is a line.
 const UPRIGHT: f64 = 1e-12;
 
-/// The shadow of a polygon in the unit disc under the hemisphere over a point.
+/// A polygon's shadow in the unit disc under the hemisphere over a point.
 #[derive(Clone, Copy, Debug)]
-pub struct Projected {
+pub struct ProjectedPolygon {
     frame: Frame,
     /// P, the shadow's area: the projected solid angle, from 0 to pi.
     pub area: f64,
-    sectors: [Sector; CORNERS],
+    sectors: [Sector; MAX_CORNERS],
     count: usize,
 }
 
-impl Projected {
-    /// What a surface at `point` with the unit `normal` sees of a flat convex polygon. `None` if that is nothing, or
-    /// too little to be worth it.
+impl ProjectedPolygon {
+    /// The shadow of a flat convex polygon under a surface at `point` with the unit `normal`. `None` if it has no area,
+    /// or too little to be worth it.
     pub fn new(point: DVec3, normal: DVec3, polygon: &[DVec3]) -> Option<Self> {
         let frame = Frame::around(normal);
         let (mut corners, mut count) = above_horizon(&frame, point, polygon);
@@ -56,31 +61,31 @@ impl Projected {
             next(corners[i], corners[(i + 1) % count]);
         }
         let area = twice.abs() / 2.0;
-        if area.is_nan() || area < SMALLEST {
+        if area.is_nan() || area < MIN_AREA {
             return None;
         }
         if twice < 0.0 {
             corners[..count].reverse();
         }
-        count = count.min(CORNERS);
+        count = count.min(MAX_CORNERS);
         let mut this = Self {
             frame,
             area,
-            sectors: [Sector::default(); CORNERS],
+            sectors: [Sector::default(); MAX_CORNERS],
             count: 0,
         };
         this.cut(&corners[..count]);
         (this.count > 0).then_some(this)
     }
 
-    /// The unit direction that `u` in [0, 1)^2 chooses, even in the shadow.
+    /// The unit direction that `u` in [0, 1)^2 chooses, uniform in the shadow.
     pub fn direction(&self, [u, v]: [f64; 2]) -> DVec3 {
-        let target = u * self.until(self.count);
-        let number = self.sectors[..self.count].partition_point(|s| s.until <= target);
+        let target = u * self.cumulative_area(self.count);
+        let number = self.sectors[..self.count].partition_point(|s| s.cumulative_area <= target);
         let number = number.min(self.count - 1);
-        let (before, sector) = (self.until(number), &self.sectors[number]);
-        let rest = ((target - before) / (sector.until - before)).clamp(0.0, 1.0);
-        let [x, y] = sector.at(rest, v, sector.until - before);
+        let (before, sector) = (self.cumulative_area(number), &self.sectors[number]);
+        let rest = ((target - before) / (sector.cumulative_area - before)).clamp(0.0, 1.0);
+        let [x, y] = sector.at(rest, v, sector.cumulative_area - before);
         let z = (1.0 - x * x - y * y).max(0.0).sqrt();
         x * self.frame.u + y * self.frame.v + z * self.frame.w
     }
@@ -135,45 +140,18 @@ impl Projected {
 
     /// Adds a sector, unless it has no area.
     fn push(&mut self, start: [f64; 2], sweep: f64, outer: Edge, inner: Option<Edge>) {
-        let before = self.until(self.count);
+        let before = self.cumulative_area(self.count);
         let sector = Sector::new(start, sweep, outer, inner, before);
-        if sector.until > before && self.count < CORNERS {
+        if sector.cumulative_area > before && self.count < MAX_CORNERS {
             self.sectors[self.count] = sector;
             self.count += 1;
         }
     }
 
     /// The area of the first `count` sectors.
-    fn until(&self, count: usize) -> f64 {
+    fn cumulative_area(&self, count: usize) -> f64 {
         count
             .checked_sub(1)
-            .map_or(0.0, |last| self.sectors[last].until)
+            .map_or(0.0, |last| self.sectors[last].cumulative_area)
     }
-}
-
-/// The corners relative to the point, in its frame, with what lies below the horizon cut off.
-/// Source: Sutherland and Hodgman 1974, "Reentrant polygon clipping".
-fn above_horizon(frame: &Frame, point: DVec3, polygon: &[DVec3]) -> ([DVec3; CORNERS], usize) {
-    let local = |corner: &DVec3| {
-        let way = *corner - point;
-        DVec3::new(way.dot(frame.u), way.dot(frame.v), way.dot(frame.w))
-    };
-    let (mut out, mut count) = ([DVec3::ZERO; CORNERS], 0);
-    let mut push = |corner: DVec3| {
-        if count < CORNERS {
-            out[count] = corner;
-            count += 1;
-        }
-    };
-    let next = polygon.iter().cycle().skip(1);
-    for (a, b) in polygon.iter().map(local).zip(next.map(local)) {
-        if a.z > 0.0 {
-            push(a);
-        }
-        if (a.z > 0.0) != (b.z > 0.0) {
-            let crossing = a + (b - a) * (a.z / (a.z - b.z));
-            push(DVec3::new(crossing.x, crossing.y, 0.0));
-        }
-    }
-    (out, count)
 }

@@ -7,7 +7,6 @@
 use super::{PixelTrace, RayTree};
 use crate::math::Rgb;
 use crate::probe::{Event, RayKind, Term};
-use crate::tracer::pixel::counted;
 
 /// One summand of a node's radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,6 +84,6 @@ pub fn pixel_sum(trace: &PixelTrace) -> Rgb {
         let radiance = sample
             .root
             .map_or(Rgb::BLACK, |root| trace.tree.node(root).radiance);
-        sum + counted(radiance) * sample.weight
+        sum + radiance.finite_or_black() * sample.weight
     })
 }

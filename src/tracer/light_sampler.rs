@@ -4,12 +4,11 @@
 //! (Cook, Porter and Carpenter 1984). What all of them have in common is computed once.
 
 use super::path_id::PathId;
-use crate::math::points::{Points, Run};
-use crate::math::sampler::light_run;
-use crate::math::{DVec3, LightSampling, Ray, Sampler};
+use crate::math::{DVec3, Ray};
 use crate::probe::{Absence, ProjectedShare, counting};
+use crate::sampling::{LightSampling, Points, SampleSet, Sampler, stream};
 use crate::scene::{Effect, Scene, Settings};
-use crate::shading::{Area, LightKind, LightSample, Projected, ShadingPoint};
+use crate::shading::{Area, LightKind, LightSample, ProjectedPolygon, ShadingPoint};
 
 /// Shadow ray, and the light that it brings if nothing is in its way.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +35,7 @@ pub struct LightSampler<'a> {
 struct AreaSampler<'a> {
     area: &'a Area,
     /// The light's polygon as the surface sees it, if points are chosen by that. (Boxed: it is large, and nearly always none.)
-    projected: Option<Box<Projected>>,
+    projected: Option<Box<ProjectedPolygon>>,
     /// Points on the light, and the number of the first one here; none if its middle stands for all.
     points: Option<(Points, u32)>,
     /// Share of one sample in the mean.
@@ -189,21 +188,25 @@ impl ShadowOrigin {
 /// a pixel at the end of the same path are one set; only a grid is a whole one at each hit.
 fn points(settings: &Settings, id: PathId, light: u32) -> (Points, u32) {
     let here = settings.light.samples;
-    let run = Run {
-        key: light_run(settings.seed, id.pixel, id.path, light),
+    let set = SampleSet {
+        key: stream::light_key(settings.seed, id.pixel, id.path, light),
         count: match settings.light.sampler {
             Sampler::Grid => here,
             _ => here * settings.pixel.set_size(),
         },
     };
-    (Points::new(settings.light.sampler, run), id.sample * here)
+    (Points::new(settings.light.sampler, set), id.sample * here)
 }
 
 /// The light's polygon as the surface sees it, if points on it are chosen in proportion to what they bring.
 ///
 /// Not where there are highlights, which do not fall with the cosine that the polygon is weighed by; nor for the grid, which
 /// is the lecture's: points on the light, side by side.
-fn projected(area: &Area, settings: &Settings, point: &ShadingPoint) -> Option<Box<Projected>> {
+fn projected(
+    area: &Area,
+    settings: &Settings,
+    point: &ShadingPoint,
+) -> Option<Box<ProjectedPolygon>> {
     let wanted = settings.light.density == LightSampling::Projected
         && settings.light.sampler != Sampler::Grid
         && settings.effects.has(Effect::SoftShadows);

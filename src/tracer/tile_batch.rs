@@ -5,17 +5,13 @@
 //! prefetched instead of asking the accelerator, and the answer is the same to the last bit.
 
 use super::light_sampler::{self, LightSampler};
-use super::samples::{Place, place};
+use super::pixel::{CameraSample, camera_sample};
 use super::shadow_batch::{Prefetched, ShadowBatch};
-use super::tile::Tile;
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
 use crate::scene::{Effect, Settings};
 use crate::shading::{Interaction, ShadingPoint};
 use crate::world::World;
-
-/// Edge of the blocks in which a tile's rays stand side by side: the rays of a block make one packet.
-const BLOCK: u32 = 4;
 
 /// Shadow rays of a pixel that are prefetched at most; a light with more is sampled hit by hit. It bounds the memory.
 const MOST_SHADOW_RAYS: u32 = 64;
@@ -23,7 +19,7 @@ const MOST_SHADOW_RAYS: u32 = 64;
 /// Prefetched rays of one sample of each of some pixels; memory that is used again and again.
 #[derive(Default)]
 pub struct TileBatch {
-    samples: Vec<Place>,
+    samples: Vec<CameraSample>,
     rays: Vec<(Ray, Interval)>,
     hits: Vec<Option<Hit>>,
     /// The hit points of `hits`.
@@ -60,7 +56,7 @@ impl TileBatch {
         let (scene, camera) = (&world.scene, &world.scene.camera);
         self.samples.clear();
         self.samples
-            .extend(pixels.map(|pixel| place(settings, pixel, sample)));
+            .extend(pixels.map(|pixel| camera_sample(settings, pixel, sample)));
         if self.samples.is_empty() {
             return false;
         }
@@ -113,7 +109,7 @@ impl TileBatch {
             if let (Some(hit), Some(at)) = (hit, at) {
                 let material = scene.material_of(hit.primitive);
                 let point = ShadingPoint::new(at, material, settings.effects);
-                let sampler = LightSampler::new(scene, settings, &point, (sample.asker, light));
+                let sampler = LightSampler::new(scene, settings, &point, (sample.path, light));
                 self.shadow.sample(&sampler, count);
             } else {
                 self.shadow.skip(count);
@@ -122,7 +118,7 @@ impl TileBatch {
     }
 
     /// The pixels' samples in their order, each with its eye ray and what is prefetched of it.
-    pub fn pixels(&self) -> impl Iterator<Item = (&Place, Ray, PixelBatch<'_>)> {
+    pub fn pixels(&self) -> impl Iterator<Item = (&CameraSample, Ray, PixelBatch<'_>)> {
         (0..self.samples.len()).map(|index| {
             let batch = PixelBatch { batch: self, index };
             (&self.samples[index], self.rays[index].0, batch)
@@ -145,18 +141,4 @@ impl<'a> PixelBatch<'a> {
         let first = light.first + self.index * light.count;
         (light.count > 0).then(|| &self.batch.shadow.prefetched()[first..first + light.count])
     }
-}
-
-/// The pixels of a tile, block after block.
-pub fn in_blocks(tile: Tile) -> Vec<(u32, u32)> {
-    let ([left, right], [top, bottom]) = (tile.x, tile.y);
-    let mut pixels = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
-    for y0 in (top..bottom).step_by(BLOCK as usize) {
-        for x0 in (left..right).step_by(BLOCK as usize) {
-            for y in y0..(y0 + BLOCK).min(bottom) {
-                pixels.extend((x0..(x0 + BLOCK).min(right)).map(|x| (x, y)));
-            }
-        }
-    }
-    pixels
 }

@@ -5,8 +5,9 @@
 use std::f64::consts::PI;
 
 use raytree::accel::AccelKind;
-use raytree::math::{DVec3, LightSampling, Sampler};
+use raytree::math::DVec3;
 use raytree::probe::Silent;
+use raytree::sampling::{LightSampling, Sampler};
 use raytree::scene::{Scene, SceneError, Settings};
 use raytree::tracer::pixel;
 use raytree::world::World;

@@ -4,7 +4,7 @@
 use raytree::math::Rgb;
 use raytree::scene::limits::size_problem;
 use raytree::tracer::Film;
-use raytree::tracer::picture::{pfm, png};
+use raytree::tracer::image::{pfm, png};
 
 use super::bytes;
 use super::dice::Dice;

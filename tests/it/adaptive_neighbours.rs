@@ -1,9 +1,10 @@
 //! `--pilot around`: a pixel's number of samples comes from the first samples of the pixels around it.
 
 use raytree::accel::AccelKind;
-use raytree::math::sampler::mix;
-use raytree::math::{LightSampling, Rgb, Sampler};
+use raytree::math::Rgb;
 use raytree::probe::Silent;
+use raytree::sampling::stream::splitmix64;
+use raytree::sampling::{LightSampling, Sampler};
 use raytree::scene::{Adaptive, Pilot, Settings};
 use raytree::tracer::{Film, Flow, pixel, render};
 use raytree::world::World;
@@ -91,7 +92,7 @@ fn what_others_decide_is_unbiased() {
             let settings = decided(&settings, 0.05, pilot);
             let mut sums = [0.0; 2];
             for run in 0..runs {
-                let seed = mix(run);
+                let seed = splitmix64(run);
                 let settings = settings.with(|s| {
                     s.seed = seed;
                     s.light.sampler = sampler;
@@ -124,11 +125,11 @@ fn limits_hold() {
     let (world, settings) = faint(20);
     let settings = decided(&settings, 1e-6, Pilot::Around);
     let whole = film(&world, &settings);
-    assert!(!whole.cut && whole.samples.iter().all(|n| *n <= 256));
+    assert!(!whole.truncated && whole.samples.iter().all(|n| *n <= 256));
     // Room for 2 rays a pixel: fewer than the first samples would take.
     for max_rays in [400, 800, 4000] {
         let short = film(&world, &settings.with(|s| s.recursion.max_rays = max_rays));
-        assert!(short.cut && short.rays <= max_rays, "{}", short.rays);
+        assert!(short.truncated && short.rays <= max_rays, "{}", short.rays);
         let alone = pixel(
             &world,
             &settings.with(|s| s.recursion.max_rays = max_rays),

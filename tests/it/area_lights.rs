@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use raytree::accel::AccelKind;
 use raytree::geometry::{Aabb, Cuboid, Disc, Shape, Sphere, Triangle};
-use raytree::math::points::Run;
-use raytree::math::{DVec3, LightSampling, Rgb, Sampler};
+use raytree::math::{DVec3, Rgb};
+use raytree::sampling::{LightSampling, SampleSet, Sampler};
 use raytree::scene::Settings;
 use raytree::shading::Area;
-use raytree::shading::area::Form;
+use raytree::shading::area::AreaShape;
 use raytree::trace::{View, trace_pixel};
 use raytree::world::World;
 
@@ -127,7 +127,7 @@ fn inside_a_shining_sphere_a_white_floor_is_as_bright_as_the_sphere() {
 
 /// The points of a light that `from` meets, with its two lists of numbers.
 fn points(area: &Area, from: DVec3) -> Vec<DVec3> {
-    let run = Run {
+    let run = SampleSet {
         key: 77,
         count: 40_000,
     };
@@ -227,7 +227,7 @@ fn points_are_even_on_parallelograms_meshes_and_boxes() {
         triangle([a, a + u, a + u + v]),
         triangle([a, a + u + v, a + v]),
     ]);
-    assert!(matches!(light.form, Form::Parallelogram(..)));
+    assert!(matches!(light.shape, AreaShape::Parallelogram(..)));
     let across = u.cross(v);
     let part = |p: DVec3, other: DVec3| (p - a).cross(other).dot(across) / across.length_squared();
     even(
@@ -242,7 +242,7 @@ fn points_are_even_on_parallelograms_meshes_and_boxes() {
     let middle = DVec3::new(0.4, 0.0, 0.2);
     let sides = [0, 1, 2, 3].map(|i| triangle([square[i], square[(i + 1) % 4], middle]));
     let light = area(&sides);
-    assert!(matches!(&light.form, Form::Mesh(triangles) if triangles.len() == 4));
+    assert!(matches!(&light.shape, AreaShape::Mesh(triangles) if triangles.len() == 4));
     even(
         points(&light, from)
             .iter()

@@ -75,7 +75,7 @@ fn every_accelerator_ends_with_every_choice() {
     for kind in AccelKind::ALL {
         for arithmetic in variants().into_iter().step_by(3) {
             let (world, settings) = world("room", kind, arithmetic);
-            assert!(!film(&world, &settings).cut);
+            assert!(!film(&world, &settings).truncated);
         }
     }
 }

@@ -2,9 +2,9 @@
 //! run.
 
 use raytree::accel::{Accel, AccelKind, AccelStats};
-use raytree::math::sampler::{mix, unit};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::probe::{Event, Probe};
+use raytree::sampling::stream::{splitmix64, to_unit_f64};
 use raytree::scene::Scene;
 
 /// Counts steps in the tree and tests of shapes.
@@ -49,7 +49,8 @@ fn from_the_eye(scene: &Scene) -> Vec<Ray> {
 
 /// Rays from anywhere to anywhere, as bounces are.
 fn from_anywhere() -> Vec<Ray> {
-    let point = |i: u64| DVec3::from([0, 1, 2].map(|k| 3.0 * unit(mix(3 * i + k)) - 1.5));
+    let point =
+        |i: u64| DVec3::from([0, 1, 2].map(|k| 3.0 * to_unit_f64(splitmix64(3 * i + k)) - 1.5));
     let ray = |i: u64| Ray::new(point(2 * i), (point(2 * i + 1) - point(2 * i)).normalize());
     (0..5000).map(ray).collect()
 }

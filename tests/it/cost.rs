@@ -377,7 +377,7 @@ fn a_strip_has_each_way_and_the_reference_side_by_side() {
     assert_eq!(names, ways, "{text}");
     // 24 x 18 pixels, 4 times as large, with 4 pixels around.
     let png = std::fs::read(path).expect("a picture");
-    let film = raytree::tracer::picture::png::decode(&png, 1.0).expect("a picture");
+    let film = raytree::tracer::image::png::decode(&png, 1.0).expect("a picture");
     assert_eq!((film.width, film.height), (6 * 100 + 4, 76 + 4));
     // Grey between, and crops that differ from each other in noise only.
     let grey = film.at(102, 40);

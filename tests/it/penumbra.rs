@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use raytree::math::{DVec3, LightSampling, Sampler};
+use raytree::math::DVec3;
+use raytree::sampling::{LightSampling, Sampler};
 use raytree::scene::Settings;
 use raytree::trace::{View, trace_pixel};
 use raytree::world::World;

@@ -4,9 +4,9 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use raytree::geometry::{Shape, Triangle};
-use raytree::math::points::Run;
-use raytree::math::{DVec3, Rgb, Sampler};
-use raytree::shading::{Area, Projected};
+use raytree::math::{DVec3, Rgb};
+use raytree::sampling::{SampleSet, Sampler};
+use raytree::shading::{Area, ProjectedPolygon};
 
 /// What lies above the plane through the origin with this normal.
 fn clipped(corners: &[DVec3], n: DVec3) -> Vec<DVec3> {
@@ -108,8 +108,8 @@ impl Case {
         [*corner, corner + u, corner + u + v, corner + v]
     }
 
-    fn projected(&self) -> Projected {
-        Projected::new(DVec3::ZERO, self.normal, &self.polygon()).expect(self.name)
+    fn projected(&self) -> ProjectedPolygon {
+        ProjectedPolygon::new(DVec3::ZERO, self.normal, &self.polygon()).expect(self.name)
     }
 
     /// Where a way from the origin meets the parallelogram, in its own coordinates.
@@ -145,7 +145,7 @@ fn directions_are_spread_in_proportion_to_what_they_bring() {
         let seen = case.projected();
         let mut counts = [0.0; 64];
         for index in 0..count {
-            let run = Run { key: 5, count };
+            let run = SampleSet { key: 5, count };
             let way = seen.direction(Sampler::Random.point(run, index));
             assert!((way.length() - 1.0).abs() < 1e-14 && way.dot(case.normal) >= 0.0);
             let place = case.place(way);
@@ -204,7 +204,7 @@ fn every_sample_brings_the_same() {
         let seen = light.projected(DVec3::ZERO, case.normal).expect(case.name);
         for index in 0..1000 {
             let u = Sampler::Sobol.point(
-                Run {
+                SampleSet {
                     key: 1,
                     count: 1000,
                 },
@@ -227,7 +227,7 @@ fn what_is_not_worth_it_is_left_to_the_area() {
         let s = size / 2.0;
         [[-s, -s], [s, -s], [s, s], [-s, s]].map(|[x, z]| DVec3::new(x, height, z))
     };
-    let seen = |polygon: &[DVec3]| Projected::new(DVec3::ZERO, DVec3::Y, polygon);
+    let seen = |polygon: &[DVec3]| ProjectedPolygon::new(DVec3::ZERO, DVec3::Y, polygon);
     assert!(seen(&square(1.0, -1.0)).is_none(), "below");
     assert!(seen(&square(1.0, 0.0)).is_none(), "at the horizon");
     assert!(seen(&square(1e-6, 1.0)).is_none(), "tiny");

@@ -1,8 +1,9 @@
 //! One picture: the same bits for any number of threads, any accelerator, with and without listening.
 
 use raytree::accel::AccelKind;
-use raytree::math::{Filter, LightSampling, Rgb, Sampler};
+use raytree::math::Rgb;
 use raytree::probe::Silent;
+use raytree::sampling::{Filter, LightSampling, Sampler};
 use raytree::scene::{self, Adaptive, Pilot, Settings};
 use raytree::trace::{Counts, ledger, trace_pixel};
 use raytree::tracer::{Film, Flow, render};
@@ -34,7 +35,7 @@ fn all_accelerators_and_thread_counts_draw_the_same_bits() {
         let scene = scene::load(name).expect("a built-in scene");
         let list = World::new(scene.clone(), AccelKind::List);
         let expected = film(&list, &settings, 1);
-        assert!(!expected.cut, "{name}");
+        assert!(!expected.truncated, "{name}");
         for kind in AccelKind::ALL {
             let world = World::new(scene.clone(), kind);
             for threads in [1, 8] {
@@ -199,7 +200,7 @@ fn rays_to_area_lights_are_the_same_when_they_are_foreseen() {
             let asked = film(&list, &settings, 2);
             assert_eq!(bits(&foreseen.pixels), bits(&asked.pixels), "{settings:?}");
             assert_eq!(foreseen.rays, asked.rays, "{settings:?}");
-            assert_eq!(foreseen.cut, max_rays < u64::MAX, "{settings:?}");
+            assert_eq!(foreseen.truncated, max_rays < u64::MAX, "{settings:?}");
         }
     }
 }
@@ -209,6 +210,6 @@ fn a_render_can_be_stopped() {
     let settings = settings_of("whitted", 256, 256);
     let world = World::new(scene::load("whitted").expect("built in"), settings.accel);
     let (film, _) = render::<Silent>(&world, &settings, 1, &|_, _| Flow::Stop);
-    assert!(film.cut);
+    assert!(film.truncated);
     assert!(film.at(255, 255).is_black() && !film.at(0, 0).is_black());
 }

@@ -2,10 +2,10 @@
 //! of the error, what standard errors and adaptive sampling promise, and samples that are no numbers.
 
 use raytree::accel::AccelKind;
-use raytree::math::points::Run;
-use raytree::math::sampler::{mix, unit};
-use raytree::math::{DVec3, Filter, Rgb, Sampler};
+use raytree::math::{DVec3, Rgb};
 use raytree::probe::Silent;
+use raytree::sampling::stream::{splitmix64, to_unit_f64};
+use raytree::sampling::{Filter, SampleSet, Sampler};
 use raytree::scene::camera::Camera;
 use raytree::scene::{Adaptive, Pilot, Settings};
 use raytree::tracer::{Pixel, pixel};
@@ -48,8 +48,8 @@ impl Edge {
     fn pixels(&mut self, settings: &Settings, count: u64) -> Vec<(Pixel, f64)> {
         (0..count)
             .map(|seed| {
-                let angle = std::f64::consts::TAU * unit(mix(2 * seed));
-                let d = unit(mix(2 * seed + 1)) - 0.5;
+                let angle = std::f64::consts::TAU * to_unit_f64(splitmix64(2 * seed));
+                let d = to_unit_f64(splitmix64(2 * seed + 1)) - 0.5;
                 self.pixel(&settings.with(|s| s.seed = seed), angle, d)
             })
             .collect()
@@ -134,7 +134,7 @@ fn errors_fall_with_the_samples_as_theory_tells() {
     const COUNTS: [u32; 5] = [16, 64, 256, 1024, 4096];
     const RUNS: u64 = 100;
     let e = std::f64::consts::E;
-    let edge = |key| unit(mix(key ^ 0xed6e));
+    let edge = |key| to_unit_f64(splitmix64(key ^ 0xed6e));
     let value = |kind: usize, key, [x, y]: [f64; 2]| match kind {
         0 => libm::exp(x + y) - (e - 1.0) * (e - 1.0),
         1 => f64::from(u8::from(x * x + y * y < 1.0)) - std::f64::consts::FRAC_PI_4,
@@ -142,8 +142,8 @@ fn errors_fall_with_the_samples_as_theory_tells() {
     };
     let error = |sampler: Sampler, kind, count| {
         rms((0..RUNS).map(|key| {
-            let key = mix(key);
-            let run = Run { key, count };
+            let key = splitmix64(key);
+            let run = SampleSet { key, count };
             let sum: f64 = (0..count)
                 .map(|i| value(kind, key, sampler.point(run, i)))
                 .sum();
@@ -182,7 +182,7 @@ fn errors_fall_with_the_samples_as_theory_tells() {
         );
     }
     let stalled = [1024, 16384].map(|count| {
-        let run = Run { key: 0, count };
+        let run = SampleSet { key: 0, count };
         let left = (0..count).filter(|i| Sampler::Grid.point(run, *i)[0] < 0.3711);
         left.count() as f64 / f64::from(count) - 0.3711
     });
@@ -343,7 +343,7 @@ fn a_pilot_apart_is_unbiased_and_one_that_is_kept_is_not() {
             // A tenth of the pixel is lit: most of the time few of the first samples see it.
             let off: Vec<f64> = (0..runs)
                 .map(|run| {
-                    let seed = mix(run);
+                    let seed = splitmix64(run);
                     let (pixel, truth) = edge.pixel(&settings.with(|s| s.seed = seed), 0.4, 0.45);
                     pixel.color.g - truth
                 })
@@ -378,8 +378,8 @@ fn a_sample_that_is_no_number_counts_as_black_and_is_told_of() {
         ] {
             let (found, lit) = edge.pixel(&samples, 0.4, 0.1);
             assert_eq!(found.color, Rgb::BLACK);
-            let share = f64::from(found.spoiled) / f64::from(found.samples);
-            assert!((share - lit).abs() < 0.2 && found.first_spoiled.is_some());
+            let share = f64::from(found.non_finite) / f64::from(found.samples);
+            assert!((share - lit).abs() < 0.2 && found.first_non_finite.is_some());
         }
     }
 }

@@ -41,7 +41,7 @@ impl Probe for Tally {
 
 fn tally(world: &World, settings: &Settings) -> Tally {
     let (film, parts) = render::<Tally>(world, settings, 2, &|_, _| Flow::Continue);
-    assert!(!film.cut);
+    assert!(!film.truncated);
     parts.iter().fold(Tally::default(), |sum, part| Tally {
         last: None,
         eye_hits: sum.eye_hits + part.eye_hits,

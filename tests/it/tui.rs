@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 use raytree::scene::{VertexData, load};
-use raytree::tracer::picture::ColorLevel;
+use raytree::tracer::image::ColorLevel;
 use raytree::tui::{Options, run};
 use raytree::world::World;
 

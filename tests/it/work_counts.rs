@@ -17,7 +17,7 @@ const FIGURES: &str = include_str!("../counts.txt");
 /// All that is counted while a picture is drawn.
 fn counts(world: &World, settings: &Settings) -> Counts {
     let (film, parts) = render::<Counts>(world, settings, 0, &|_, _| Flow::Continue);
-    assert!(!film.cut, "nothing is left out");
+    assert!(!film.truncated, "nothing is left out");
     parts.iter().fold(Counts::default(), Counts::plus)
 }
 

@@ -1,7 +1,7 @@
 //! The eye in impossible places, and pictures that may not depend on who computes them.
 
 use raytree::accel::AccelKind;
-use raytree::math::Sampler;
+use raytree::sampling::Sampler;
 use raytree::probe::Silent;
 use raytree::scene::{Settings, load};
 use raytree::trace::trace_pixel;

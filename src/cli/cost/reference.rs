@@ -8,7 +8,7 @@ use crate::cli::Failure;
 use crate::scene::error::Problem;
 use crate::scene::limits::MAX_FILE_BYTES;
 use crate::tracer::Film;
-use crate::tracer::picture::{pfm, png};
+use crate::tracer::image::{pfm, png};
 
 /// Reads a PFM file, or a PNG file that shows linear radiance with this exposure.
 pub fn read(path: &Path, exposure: f64) -> Result<Film, Failure> {

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::cli::{Completion, Failure, output};
 use crate::math::Rgb;
 use crate::tracer::Film;
-use crate::tracer::picture::{pfm, png};
+use crate::tracer::image::{pfm, png};
 
 /// The film as a PFM file if the name ends so, else as a PNG file.
 pub fn picture(path: &Path, film: &Film, exposure: f64) -> Result<Completion, Failure> {

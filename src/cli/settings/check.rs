@@ -1,7 +1,7 @@
 //! Checks of settings that go together, or not.
 
 use crate::cli::Failure;
-use crate::math::Sampler;
+use crate::sampling::Sampler;
 use crate::scene::settings::knob::{Kind, Value};
 use crate::scene::{Pilot, PixelSampling};
 

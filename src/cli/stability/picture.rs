@@ -7,7 +7,7 @@ use crate::cli::{Failure, output};
 use crate::lab::contact_sheet;
 use crate::lab::stability::{Panel, Picture};
 use crate::math::Rgb;
-use crate::tracer::picture::{ColorLevel, text};
+use crate::tracer::image::{ColorLevel, terminal};
 
 /// Columns of text that the panels share.
 const COLUMNS: u32 = 80;
@@ -52,13 +52,13 @@ fn legend(picture: &Picture, mark: &str) -> String {
 
 /// Two pixels a character.
 fn half_blocks(panel: &Panel, level: ColorLevel) -> Vec<String> {
-    let text = text::lines(&panel.film, 1.0, level);
+    let text = terminal::lines(&panel.film, 1.0, level);
     text.lines().map(str::to_owned).collect()
 }
 
 /// A pixel a character.
 fn characters(panel: &Panel, _: ColorLevel) -> Vec<String> {
-    let marked = |(color, wrong): (&Rgb, &bool)| if *wrong { 'x' } else { text::ramp(*color) };
+    let marked = |(color, wrong): (&Rgb, &bool)| if *wrong { 'x' } else { terminal::ramp(*color) };
     let all: Vec<char> = panel
         .film
         .pixels

@@ -2,7 +2,7 @@
 
 use super::sampling::with_samples;
 use crate::lab::pareto::fit;
-use crate::math::Sampler;
+use crate::sampling::Sampler;
 use crate::scene::{Sampling, Settings};
 use crate::tracer::Pixel;
 

@@ -2,7 +2,7 @@
 
 use super::sampling::with_samples;
 use crate::scene::{Settings, limits};
-use crate::tracer::{Pixel, pixel_unless};
+use crate::tracer::{Pixel, PixelEstimator};
 use crate::world::World;
 
 /// Rays that one point may cost.
@@ -21,10 +21,10 @@ pub fn measure(
 ) -> &'static str {
     for power in 0..=LAST_POWER {
         let settings = with_samples(settings, 1 << power);
-        let Some(pixel) = pixel_unless(world, &settings, at, stopped) else {
+        let Some(pixel) = PixelEstimator::trace_unless(world, &settings, at, stopped) else {
             return "given up";
         };
-        if pixel.cut {
+        if pixel.truncated {
             return "the pixel's share of --max-rays ends here";
         }
         tell(pixel);

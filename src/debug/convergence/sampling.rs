@@ -1,6 +1,6 @@
 //! Settings of a point of the convergence curve.
 
-use crate::math::Sampler;
+use crate::sampling::Sampler;
 use crate::scene::{Effect, PixelSampling, Settings};
 use crate::world::World;
 
@@ -8,7 +8,7 @@ use crate::world::World;
 const SETS: u32 = 8;
 
 /// The settings with so many samples a pixel, such that their spread tells the standard error: the samples of a grid
-/// are not random, so Sobol's points replace them; jittered ones come in sets (see [`crate::tracer::spread`]).
+/// are not random, so Sobol's points replace them; jittered ones come in sets (see [`crate::sampling::batch_means`]).
 pub fn with_samples(settings: &Settings, samples: u32) -> Settings {
     let PixelSampling { sampler, sets, .. } = settings.pixel;
     settings.with(|s| {

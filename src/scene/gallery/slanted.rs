@@ -4,7 +4,7 @@
 //! can do and a kd-tree cannot.
 
 use super::builder::{SceneBuilder, matt};
-use crate::math::sampler::{mix, unit};
+use crate::sampling::stream::{splitmix64, to_unit_f64};
 use crate::math::{DVec3, Rgb};
 use crate::scene::{Camera, Scene, Settings};
 use crate::shading::Material;
@@ -107,7 +107,7 @@ fn turned(u: DVec3, v: DVec3) -> [DVec3; 3] {
 
 /// Pseudo-random point in the cube from -1 to 1, a hash of the two numbers.
 fn random(of: u64, which: u64) -> DVec3 {
-    let coordinate = |k: u64| 2.0 * unit(mix(mix(4 * of + which) + k)) - 1.0;
+    let coordinate = |k: u64| 2.0 * to_unit_f64(splitmix64(splitmix64(4 * of + which) + k)) - 1.0;
     DVec3::new(coordinate(0), coordinate(1), coordinate(2))
 }
 

@@ -1,6 +1,6 @@
 //! Sampling of area lights.
 
-use crate::math::{LightSampling, Sampler};
+use crate::sampling::{LightSampling, Sampler};
 
 /// Shadow rays to area lights.
 #[derive(Clone, Copy, Debug, PartialEq)]

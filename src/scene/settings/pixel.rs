@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::math::{Filter, Sampler};
+use crate::sampling::{Filter, Sampler};
 
 /// Samples of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]

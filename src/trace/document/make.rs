@@ -38,7 +38,7 @@ pub fn of(view: View) -> Document {
         },
         rays: trace.pixel.rays,
         standard_error: finite(trace.pixel.error),
-        spoiled: trace.pixel.spoiled,
+        spoiled: trace.pixel.non_finite,
         truncated: (trace.tree.dropped > 0).then_some(trace.tree.dropped),
         samples: samples(view),
     }

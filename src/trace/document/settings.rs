@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::Arithmetic;
-use crate::math::{Filter, LightSampling, Sampler};
+use crate::sampling::{Filter, LightSampling, Sampler};
 use crate::scene::{Pilot, Sampling, Scene, Settings};
 use crate::shading::Fresnel;
 

@@ -1,6 +1,6 @@
 //! Options of the command line for the debugger.
 
-use crate::tracer::picture::ColorLevel;
+use crate::tracer::image::ColorLevel;
 
 /// What the command line chooses.
 #[derive(Clone, Debug, PartialEq)]

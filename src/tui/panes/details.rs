@@ -9,7 +9,7 @@ use super::text::{columns, padded, wrap, write};
 use super::theme;
 use crate::debug::Session;
 use crate::trace::explain;
-use crate::tracer::picture::ColorLevel;
+use crate::tracer::image::ColorLevel;
 
 /// Its title: which event of how many.
 pub fn title(session: &Session) -> Line<'static> {

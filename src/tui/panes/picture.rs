@@ -5,8 +5,8 @@ use ratatui::style::{Color, Modifier, Style};
 
 use super::theme;
 use crate::math::Rgb;
-use crate::tracer::picture::ColorLevel;
-use crate::tracer::picture::text::ramp;
+use crate::tracer::image::ColorLevel;
+use crate::tracer::image::terminal::ramp;
 use crate::tui::model::Model;
 use crate::tui::model::placement::Placement;
 

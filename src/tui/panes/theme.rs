@@ -9,8 +9,8 @@ use ratatui::text::Span;
 
 use crate::math::Rgb;
 use crate::probe::RayKind;
-use crate::tracer::picture::ColorLevel;
-use crate::tracer::picture::text::{nearest_of_256, ramp};
+use crate::tracer::image::ColorLevel;
+use crate::tracer::image::terminal::{nearest_of_256, ramp};
 
 /// Mark before the current row.
 pub const POINTER: &str = "▶";

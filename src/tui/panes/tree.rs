@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 use super::text::write;
 use super::theme;
 use crate::debug::{RowText, Session, TreeRow, TreeRows};
-use crate::tracer::picture::ColorLevel;
+use crate::tracer::image::ColorLevel;
 use crate::tui::model::state::first_row;
 
 /// Columns that a level of the tree takes.

@@ -7,7 +7,7 @@ use std::thread;
 
 use crate::debug::convergence::measure;
 use crate::debug::{Session, progressive};
-use crate::tracer::on_threads;
+use crate::tracer::thread_pool;
 use crate::tui::model::{Job, JobOutput, Model};
 
 /// A running job; it stops when it is dropped.
@@ -124,7 +124,7 @@ impl Worker {
         self.spawn(move |channel| {
             let stopped = || channel.is_stopped();
             let tell = |pixel| channel.send(JobOutput::Converged(pixel));
-            let end = on_threads(1, || measure(&world, &settings, at, &stopped, &tell));
+            let end = thread_pool::install(1, || measure(&world, &settings, at, &stopped, &tell));
             channel.send(JobOutput::ConvergenceEnd(end));
         })
     }

@@ -4,7 +4,7 @@ use crossterm::event::KeyCode;
 use ratatui::style::Color;
 
 use super::support::{app_with, buffer, key, keys, settle, text};
-use crate::tracer::picture::ColorLevel;
+use crate::tracer::image::ColorLevel;
 use crate::tui::terminal::program::Program;
 
 #[test]

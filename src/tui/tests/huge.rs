@@ -63,8 +63,8 @@ fn a_million_rays_step_and_scroll_without_lag() {
         pixel: Pixel {
             color: Rgb::WHITE,
             rays: 1,
-            spent: 1,
-            cut: false,
+            budget_used: 1,
+            truncated: false,
             ..Pixel::default()
         },
         tree: huge(),

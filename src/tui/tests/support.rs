@@ -8,7 +8,7 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
-use crate::tracer::picture::ColorLevel;
+use crate::tracer::image::ColorLevel;
 use crate::tui::model::{Action, Message, Mouse, Options};
 use crate::tui::panes;
 use crate::tui::terminal::program::Program;

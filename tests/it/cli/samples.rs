@@ -5,8 +5,8 @@ use std::process::Command;
 use raytree::accel::AccelKind;
 use raytree::lab::converge::{StopReason, converge};
 use raytree::math::Rgb;
-use raytree::math::Sampler;
 use raytree::probe::Silent;
+use raytree::sampling::Sampler;
 use raytree::scene;
 use raytree::trace::trace_pixel;
 use raytree::tracer::{Flow, render};
@@ -173,18 +173,18 @@ fn a_sample_that_is_no_number_counts_as_black_and_is_told_of() {
     let world = World::new(scene, AccelKind::Wide);
     let (film, _) = render::<Silent>(&world, &settings, 2, &|_, _| Flow::Continue);
     assert!(film.pixels.iter().all(|color| color.is_finite()));
-    let ((x, y), sample) = film.spoiled.first.expect("a spoiled sample");
+    let ((x, y), sample) = film.non_finite.first.expect("a spoiled sample");
     let trace = trace_pixel(&world, &settings, (x, y), false);
-    assert_eq!(trace.pixel.first_spoiled, Some(sample));
+    assert_eq!(trace.pixel.first_non_finite, Some(sample));
     let mut count = 0;
     for y in 0..settings.image.height {
         for x in 0..settings.image.width {
             let pixel = trace_pixel(&world, &settings, (x, y), false).pixel;
             assert_eq!(pixel.color, film.at(x, y));
-            count += u64::from(pixel.spoiled);
+            count += u64::from(pixel.non_finite);
         }
     }
-    assert_eq!(film.spoiled.count, count);
+    assert_eq!(film.non_finite.count, count);
 }
 
 /// What `--until-error` promises, against a picture with very many samples and another seed.

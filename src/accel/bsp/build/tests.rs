@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use super::*;
 use crate::geometry::Triangle;
 use crate::math::DVec3;
-use crate::math::sampler::{mix, unit};
+use crate::sampling::stream::{splitmix64, to_unit_f64};
 
 /// A part of a polygon at the end of its way down, and the planes on that way, each with the side that it is on.
 struct Fragment {
@@ -62,7 +62,7 @@ fn exact_distance(plane: &Splitter, p: DVec3) -> BigRational {
 /// Triangles in a cube of edge 3 around `middle`, a third of it in size; every third is as good as a line, every fifth has a corner
 /// one float over the plane of the triangle before it.
 fn triangles(count: usize, middle: DVec3) -> Vec<Shape> {
-    let number = |i: usize| 2.0 * unit(mix(i as u64)) - 1.0;
+    let number = |i: usize| 2.0 * to_unit_f64(splitmix64(i as u64)) - 1.0;
     let point = |i: usize| middle + DVec3::new(number(3 * i), number(3 * i + 1), number(3 * i + 2));
     let mut all: Vec<[DVec3; 3]> = Vec::new();
     for i in 0..count {
@@ -119,7 +119,7 @@ fn the_fragments_of_a_polygon_are_the_polygon() {
 /// Source: case 37 of `tests/stability`. Expected: a corner that is over a polygon's plane by a float is on it.
 #[test]
 fn a_polygon_a_float_over_a_plane_is_not_on_both_sides() {
-    let number = |i: usize| 8.0 * unit(mix(i as u64));
+    let number = |i: usize| 8.0 * to_unit_f64(splitmix64(i as u64));
     let wall = [[1.0, -9.0, -9.0], [1.0, 9.0, -9.0], [1.0, 0.0, 9.0]].map(DVec3::from);
     let wall = Shape::Triangle(Triangle { corners: wall });
     let (over, reach) = (1.0f64.next_up(), 9.0);

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::surface::{ObjSurface, read, read_in_pieces};
-use crate::math::sampler::mix;
+use crate::sampling::stream::splitmix64;
 
 const THREE: &str = "v 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 0.5\nvn 0 0 1\nvt 0 0\n";
 
@@ -88,7 +88,7 @@ fn faces_without_surface_are_counted() {
 fn random(seed: u64, count: u32) -> String {
     let mut state = seed;
     let mut next = |below: u32| {
-        state = mix(state);
+        state = splitmix64(state);
         (state >> 32) as u32 % below
     };
     let mut text = String::from(THREE);

@@ -1,7 +1,7 @@
 //! Knobs of the shadow rays to area lights.
 
 use super::{ROW, words};
-use crate::math::{LightSampling, Sampler};
+use crate::sampling::{LightSampling, Sampler};
 use crate::scene::limits::MAX_LIGHT_SAMPLES;
 use crate::scene::settings::knob::{Field, Kind, Knob, Value};
 

@@ -1,7 +1,7 @@
 //! Knobs of the samples of a pixel.
 
 use super::{ROW, words};
-use crate::math::{Filter, Sampler};
+use crate::sampling::{Filter, Sampler};
 use crate::scene::limits::{MAX_FILTER_RADIUS, MAX_SAMPLES};
 use crate::scene::settings::knob::{Field, Kind, Knob, Value};
 use crate::scene::{Adaptive, Pilot, Sampling};

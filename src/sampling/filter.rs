@@ -1,7 +1,7 @@
-//! Reconstruction filters: how much each place around a pixel's middle counts in its colour.
+//! Reconstruction filters: how much radiance counts in a pixel's colour by its distance from the pixel's middle.
 //!
-//! pixel = integral of f(x) f(y) radiance(x, y), where f is even, 0 beyond the radius, and integrates to 1. Places are
-//! chosen with the density |f| / integral |f| (filter importance sampling: Ernst, Stamminger and Greiner 2006, "Filter
+//! pixel = integral of f(x) f(y) radiance(x, y), where f is even, 0 beyond the radius, and integrates to 1. Samples
+//! have the density |f| / integral |f| (filter importance sampling: Ernst, Stamminger and Greiner 2006, "Filter
 //! importance sampling"), so that all weights are of one size, and no pixel needs a neighbour's samples.
 
 use serde::{Deserialize, Serialize};
@@ -31,7 +31,7 @@ const DEVIATIONS: f64 = 3.0;
 const MITCHELL_ROOT: f64 = 8.0 / 7.0;
 
 impl Filter {
-    /// All of them.
+    /// Every filter.
     pub const ALL: [Self; 4] = [Self::Box, Self::Tent, Self::Gaussian, Self::Mitchell];
 
     /// The name that users write.
@@ -71,30 +71,30 @@ impl Filter {
             Self::Gaussian => {
                 let z = DEVIATIONS * x;
                 let bell = libm::exp(-z * z / 2.0) / (2.0 * std::f64::consts::PI).sqrt();
-                DEVIATIONS * bell / gaussian_share()
+                DEVIATIONS * bell / gaussian_fraction()
             }
             Self::Mitchell => 2.0 * mitchell(2.0 * x),
         }
     }
 
-    /// The place of which the share `u` of the integral of |f| lies to the left, in [-1, 1], for a radius of 1.
+    /// Inverse CDF of |f|: the x in [-1, 1] with the fraction `u` of the integral of |f| to its left, for a radius of 1.
     #[inline]
-    pub fn place(self, u: f64) -> f64 {
-        // Half of it lies on each side of the middle; v is the share between the middle and the place.
+    pub fn sample(self, u: f64) -> f64 {
+        // Half of it lies on each side of the middle; v is the fraction between the middle and x.
         let (v, side) = ((2.0 * u - 1.0).abs(), if u < 0.5 { -1.0 } else { 1.0 });
         let x = match self {
             Self::Box => v,
             // v = 1 - (1 - x)^2, with 1 - v = 2 min(u, 1 - u), which does not cancel.
             Self::Tent => 1.0 - (2.0 * u.min(1.0 - u)).max(0.0).sqrt(),
-            Self::Gaussian => normal_quantile(0.5 * v * gaussian_share()) / DEVIATIONS,
-            Self::Mitchell => mitchell_place(v) / 2.0,
+            Self::Gaussian => normal_quantile(0.5 * v * gaussian_fraction()) / DEVIATIONS,
+            Self::Mitchell => mitchell_quantile(v) / 2.0,
         };
         side * x.clamp(0.0, 1.0)
     }
 }
 
-/// The share of a bell curve that lies within the radius: erf(3 / sqrt 2).
-fn gaussian_share() -> f64 {
+/// The fraction of a bell curve that lies within the radius: erf(3 / sqrt 2).
+fn gaussian_fraction() -> f64 {
     0.997_300_203_936_739_8
 }
 
@@ -108,7 +108,7 @@ fn mitchell(t: f64) -> f64 {
 }
 
 /// The integral of |mitchell| from 0 to `t`.
-fn mitchell_mass(t: f64) -> f64 {
+fn mitchell_integral(t: f64) -> f64 {
     // Of the outer piece from t to 2, with s = 2 - t: (7 s^4 / 4 - 2 s^3) / 18.
     let tail = |t: f64| {
         let s = 2.0 - t;
@@ -123,14 +123,14 @@ fn mitchell_mass(t: f64) -> f64 {
     }
 }
 
-/// The t with the share `v` of the integral of |mitchell| over 0..2 before it: Newton's method, kept between bounds
+/// The t with the fraction `v` of the integral of |mitchell| over 0..2 before it: Newton's method, kept between bounds
 /// that are halved where a step would leave them.
-fn mitchell_place(v: f64) -> f64 {
-    let wanted = v * mitchell_mass(2.0);
+fn mitchell_quantile(v: f64) -> f64 {
+    let wanted = v * mitchell_integral(2.0);
     let (mut low, mut high) = (0.0, 2.0);
     let mut t: f64 = v;
     for _ in 0..64 {
-        let excess = mitchell_mass(t) - wanted;
+        let excess = mitchell_integral(t) - wanted;
         if excess > 0.0 {
             high = t;
         } else {
@@ -150,7 +150,7 @@ fn mitchell_place(v: f64) -> f64 {
     t
 }
 
-/// The z with the share `q` of a bell curve between 0 and z, for q below 0.4987.
+/// The z with the fraction `q` of a bell curve between 0 and z, for q below 0.4987.
 /// Source: Wichura 1988, "Algorithm AS 241: the percentage points of the normal distribution" (PPND16).
 fn normal_quantile(q: f64) -> f64 {
     const A: [f64; 8] = [
@@ -228,19 +228,22 @@ mod tests {
     }
 
     #[test]
-    fn places_have_the_density_of_the_filter() {
+    fn samples_have_the_density_of_the_filter() {
         for filter in Filter::ALL {
             let whole = integral(|x| filter.value(x).abs(), 1.0);
             for u in [0.0, 1e-9, 0.02, 0.1, 0.3, 0.5, 0.77, 0.9, 0.98, 1.0 - 1e-9] {
-                let x = filter.place(u);
-                let share = integral(|x| filter.value(x).abs(), x) / whole;
-                assert!((share - u).abs() < 2e-7, "{filter:?}: {share} is not {u}");
+                let x = filter.sample(u);
+                let fraction = integral(|x| filter.value(x).abs(), x) / whole;
+                assert!(
+                    (fraction - u).abs() < 2e-7,
+                    "{filter:?}: {fraction} is not {u}"
+                );
             }
-            let places: Vec<f64> = (0..1000)
-                .map(|i| filter.place(f64::from(i) / 1000.0))
+            let samples: Vec<f64> = (0..1000)
+                .map(|i| filter.sample(f64::from(i) / 1000.0))
                 .collect();
-            assert!(places.is_sorted(), "{filter:?}");
-            assert!(places[0] >= -1.0 && places[999] <= 1.0);
+            assert!(samples.is_sorted(), "{filter:?}");
+            assert!(samples[0] >= -1.0 && samples[999] <= 1.0);
         }
     }
 
@@ -248,11 +251,11 @@ mod tests {
     fn quantiles_are_those_of_the_error_function() {
         for i in 0..4987 {
             let q = f64::from(i) / 1e4;
-            let share = 0.5 * libm::erf(normal_quantile(q) / std::f64::consts::SQRT_2);
-            assert!((share - q).abs() < 1e-15, "{q}");
+            let fraction = 0.5 * libm::erf(normal_quantile(q) / std::f64::consts::SQRT_2);
+            assert!((fraction - q).abs() < 1e-15, "{q}");
         }
-        let share = libm::erf(DEVIATIONS / std::f64::consts::SQRT_2);
-        assert!((gaussian_share() - share).abs() < 1e-15);
+        let fraction = libm::erf(DEVIATIONS / std::f64::consts::SQRT_2);
+        assert!((gaussian_fraction() - fraction).abs() < 1e-15);
     }
 
     #[test]
@@ -260,10 +263,10 @@ mod tests {
         // k(0) = 8/9, k(1) = 1/18, and 6/343 of the integral below 0 on each side.
         assert!((mitchell(0.0) - 8.0 / 9.0).abs() < 1e-15);
         assert!((mitchell(1.0) - 1.0 / 18.0).abs() < 1e-15);
-        assert!((2.0 * mitchell_mass(2.0) - 1.0 - 4.0 * 6.0 / 343.0).abs() < 1e-15);
+        assert!((2.0 * mitchell_integral(2.0) - 1.0 - 4.0 * 6.0 / 343.0).abs() < 1e-15);
         for i in 0..1000 {
             let v = f64::from(i) / 1000.0;
-            let mass = mitchell_mass(mitchell_place(v)) / mitchell_mass(2.0);
+            let mass = mitchell_integral(mitchell_quantile(v)) / mitchell_integral(2.0);
             assert!((mass - v).abs() < 1e-14, "{v}");
         }
     }

@@ -1,4 +1,4 @@
-//! The standard error of a pixel, estimated from the spread of its own samples.
+//! Batch means: the standard error of a pixel, estimated from the spread of its own samples.
 //!
 //! Samples that follow one another are put together into groups: up to sixteen, then two by two into eight twice as
 //! large, so that there are always enough to see how much they differ, and each is as large as can be. If the groups
@@ -10,26 +10,26 @@
 //! groups are parts of the grid, and the estimate is that of independent samples, which is too large; in sets of their
 //! own: nothing. Few groups: the estimate itself is uncertain, by about a quarter of its value with eight.
 
-/// Groups that are kept.
+/// The largest number of groups.
 const MOST: usize = 16;
 
-/// What is kept of the samples so far.
+/// The sums of a pixel's samples so far, in groups.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Spread {
-    /// The first value: all others are taken from it, so that equal ones differ by exactly 0.
+pub struct BatchMeans {
+    /// The first value, which is subtracted from all, so that equal ones differ by exactly 0.
     first: Option<f64>,
-    /// Of each group the sum of signs, and of signs times values.
+    /// For each group the sum of signs, and the sum of signs times values.
     groups: [[f64; 2]; MOST],
-    /// Groups that are complete.
+    /// The number of complete groups.
     full: usize,
-    /// Samples of a group.
+    /// The number of samples in a complete group.
     size: u32,
-    /// Samples in the group that is not.
+    /// The number of samples in the group that is not complete.
     inside: u32,
 }
 
-impl Spread {
-    /// No sample yet; groups of `size` samples to begin with.
+impl BatchMeans {
+    /// An estimator without samples; groups have `size` samples to begin with.
     pub fn new(size: u32) -> Self {
         Self {
             first: None,
@@ -40,7 +40,7 @@ impl Spread {
         }
     }
 
-    /// A sample with this value counts, with a weight of this sign.
+    /// Adds a sample with a weight of this sign (1 or -1).
     pub fn add(&mut self, value: f64, sign: f64) {
         let from_first = value - *self.first.get_or_insert(value);
         let group = &mut self.groups[self.full];
@@ -52,12 +52,12 @@ impl Spread {
             self.full += 1;
         }
         if self.full == MOST {
-            self.put_together();
+            self.merge_pairs();
         }
     }
 
-    /// Half as many groups, each twice as large.
-    fn put_together(&mut self) {
+    /// Merges groups in pairs: half as many, each twice as large.
+    fn merge_pairs(&mut self) {
         for i in 0..MOST / 2 {
             let [a, b] = [self.groups[2 * i], self.groups[2 * i + 1]];
             self.groups[i] = [a[0] + b[0], a[1] + b[1]];
@@ -89,14 +89,14 @@ impl Spread {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::sampler::{mix, unit};
+    use crate::sampling::stream::{splitmix64, to_unit_f64};
 
     fn error_of(values: impl IntoIterator<Item = f64>) -> f64 {
-        let mut spread = Spread::new(1);
+        let mut means = BatchMeans::new(1);
         for value in values {
-            spread.add(value, 1.0);
+            means.add(value, 1.0);
         }
-        spread.standard_error()
+        means.standard_error()
     }
 
     #[test]
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn many_are_put_together_into_groups() {
+    fn many_are_merged_into_groups() {
         // 32 values: 8 groups of 4. Each group of 0, 0, 1, 1 has the mean 1/2.
         assert_eq!(error_of((0..32).map(|i| f64::from(i / 2 % 2))), 0.0);
         // 33: a group begins that is not full.
@@ -123,7 +123,7 @@ mod tests {
         // relative standard error of about sqrt(2 / 11 / 4000) = 0.7 %.
         let runs = 4000;
         let mean: f64 = (0..runs)
-            .map(|run| error_of((0..100).map(|i| unit(mix(run << 32 | i)))).powi(2))
+            .map(|run| error_of((0..100).map(|i| to_unit_f64(splitmix64(run << 32 | i)))).powi(2))
             .sum::<f64>()
             / runs as f64;
         assert!((mean * 1200.0 - 1.0).abs() < 0.03, "{}", mean * 1200.0);
@@ -131,10 +131,10 @@ mod tests {
 
     #[test]
     fn signs_do_not_make_equal_values_differ() {
-        let mut spread = Spread::new(1);
+        let mut means = BatchMeans::new(1);
         for i in 0..50 {
-            spread.add(0.3, if i % 5 == 0 { -1.0 } else { 1.0 });
+            means.add(0.3, if i % 5 == 0 { -1.0 } else { 1.0 });
         }
-        assert_eq!(spread.standard_error(), 0.0);
+        assert_eq!(means.standard_error(), 0.0);
     }
 }

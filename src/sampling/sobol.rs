@@ -6,15 +6,15 @@
 
 use sobol_burley::parts::{hash, owen_scramble_rev, u32_to_f32_norm};
 
-/// How many points there are before they would come again.
+/// The length of a sequence, before its points repeat.
 pub const POINTS: u32 = 1 << 16;
 
-/// What sets the order of the points apart from their places, and one axis from the other.
+/// Salts of the hashes of `sobol_burley`: for the points' order, and for each axis.
 const ORDER: u32 = 0x79c6_8e4a;
 const AXES: [u32; 2] = [0x912f_69ba, 0x174f_18ab];
 const SPREAD: u32 = 0x9c8f_2d3b;
 
-/// A sequence that is scrambled: what its points have in common.
+/// An Owen scramble of the sequence: what all its points share.
 #[derive(Clone, Copy, Debug)]
 pub struct Scramble {
     order: u32,
@@ -59,12 +59,12 @@ fn pascal(mut x: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::sampler::mix;
+    use crate::sampling::stream::splitmix64;
 
     #[test]
     fn the_points_are_those_of_the_tables() {
         for i in 0..20_000 {
-            let chance = mix(i);
+            let chance = splitmix64(i);
             let (index, seed) = ((chance as u32) >> (chance >> 60), (chance >> 32) as u32);
             let index = index % POINTS;
             let [x, y, ..] = sobol_burley::sample_4d(index, 0, seed);

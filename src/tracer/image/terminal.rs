@@ -1,11 +1,11 @@
-//! A picture in text cells, two pixels a cell, one above the other.
+//! Terminal image: two pixels a text cell, one above the other.
 
 use std::fmt::Write;
 
 use crate::math::Rgb;
 use crate::tracer::Film;
 
-/// What a terminal can show.
+/// Colour depth of a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColorLevel {
     /// No colour: a ramp of characters.

@@ -1,4 +1,4 @@
-//! Threads whose stacks hold the deepest recursion that the tracer allows.
+//! A pool of threads whose stacks hold the deepest recursion of the tracer.
 
 use crate::scene::limits::MAX_DEPTH;
 
@@ -7,8 +7,8 @@ use crate::scene::limits::MAX_DEPTH;
 const BYTES_A_LEVEL: usize = 32 * 1024;
 
 /// Runs `work` where parallel iterators spread over `threads` threads (0: one a core), each with a stack that is
-/// deep enough for [`MAX_DEPTH`] bounces. If the system gives no such threads, it runs where it is called.
-pub fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+/// deep enough for [`MAX_DEPTH`] bounces. If the system gives no such threads, it runs on the calling one.
+pub fn install<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .stack_size(MAX_DEPTH as usize * BYTES_A_LEVEL)

@@ -1,0 +1,58 @@
+//! The rendering of a whole picture: its tiles, in parallel.
+
+use rayon::prelude::*;
+
+use super::buffer::Film;
+use super::thread_pool;
+use super::tile_pass::RenderedTile;
+use crate::probe::Probe;
+use crate::scene::Settings;
+use crate::tracer::tile::tiles;
+use crate::world::World;
+
+/// The answer of a render's progress callback.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flow {
+    /// Go on.
+    Continue,
+    /// Leave the tiles that have not begun black.
+    Stop,
+}
+
+/// Renders the whole picture on `threads` threads (0: one a core). Each pixel depends on nothing but the scene and
+/// the settings, so the picture is the same for any number of threads.
+///
+/// Each tile has a probe of its own; they come back in the order of the tiles. `watch` is called after each tile with
+/// the number of its pixels and rays.
+pub fn render<P: Probe + Default + Send>(
+    world: &World,
+    settings: &Settings,
+    threads: usize,
+    watch: &(dyn Fn(u64, u64) -> Flow + Sync),
+) -> (Film, Vec<P>) {
+    let stopped = std::sync::atomic::AtomicBool::new(false);
+    let order = std::sync::atomic::Ordering::Relaxed;
+    let results: Vec<_> = thread_pool::install(threads, || {
+        tiles(settings)
+            .into_par_iter()
+            .map(|tile| {
+                if stopped.load(order) {
+                    return RenderedTile::blank(tile);
+                }
+                let done = RenderedTile::render(tile, world, settings);
+                if watch(done.film.pixels.len() as u64, done.film.rays) == Flow::Stop {
+                    stopped.store(true, order);
+                }
+                done
+            })
+            .collect()
+    });
+
+    let mut film = Film::black(settings.size(), settings);
+    let mut probes = Vec::with_capacity(results.len());
+    for done in results {
+        film.paste(done.tile, &done.film);
+        probes.push(done.probe);
+    }
+    (film, probes)
+}
