@@ -35,7 +35,7 @@ use serde::{Deserialize, Serialize};
 use strum::{EnumDiscriminants, IntoStaticStr};
 
 use crate::geometry::Hit;
-use crate::math::{DVec3, Rgb};
+use crate::math::{DVec3, Interval, Rgb};
 
 /// Something that wants to know what the tracer does.
 pub trait Probe {
@@ -46,15 +46,8 @@ pub trait Probe {
     /// Whether anything is wanted at all. If not, questions may be answered in bundles, ahead of the one who asks.
     const LISTENS: bool = true;
 
-    /// Whether a search should go on after a hit, so that every primitive that is crossed is told of by
-    /// [`Probe::crossing`], and none becomes the answer.
-    const EVERY: bool = false;
-
     /// Called once for everything that happens, in order.
     fn event(&mut self, event: Event);
-
-    /// Called for the first crossing of every primitive that is found, perhaps more than once, if [`Probe::EVERY`].
-    fn crossing(&mut self, _: Hit) {}
 }
 
 /// Listens to nothing.
@@ -244,6 +237,29 @@ pub struct Visit {
     pub choice: Choice,
 }
 
+impl Visit {
+    /// A step that goes no further down: to a leaf, or to a node that is skipped.
+    pub fn end(node: u32, inside: Interval, choice: Choice) -> Event {
+        Self::step(node, inside, [NONE; 2], choice)
+    }
+
+    /// A step to a node of many boxes, of which these two are entered first.
+    pub fn children(node: u32, inside: Interval, nearest: [u32; 2]) -> Event {
+        Self::step(node, inside, nearest, Choice::Children)
+    }
+
+    fn step(node: u32, inside: Interval, [near, far]: [u32; 2], choice: Choice) -> Event {
+        Event::Visit(Self {
+            node,
+            interval: [inside.min, inside.max],
+            t_split: f64::NAN,
+            near,
+            far,
+            choice,
+        })
+    }
+}
+
 /// Which children of a node are visited, and why not the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
@@ -276,7 +292,7 @@ pub enum Choice {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Verdict {
-    /// The closest hit so far (for L rays: a blocker).
+    /// The closest hit so far (for L rays: an occluder).
     Hit,
     /// Not crossed.
     Miss,

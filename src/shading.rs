@@ -9,6 +9,7 @@ pub mod material;
 pub mod optics;
 pub mod point;
 pub mod projected;
+mod shadow_gap;
 
 pub use area::Area;
 pub use effects::{Effect, Effects};

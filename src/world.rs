@@ -6,7 +6,7 @@ pub mod interface;
 pub mod medium;
 mod ray_budget;
 
-use crate::accel::{Accel, AccelKind, Watch, crossings::second};
+use crate::accel::{Accel, AccelKind, Progress, exit_of_solid};
 use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Probe, counting};
@@ -50,8 +50,8 @@ impl World {
     }
 
     /// Builds the acceleration structure, and reports its progress.
-    pub fn watched(scene: Scene, kind: AccelKind, watch: Watch) -> Self {
-        let accel = Accel::build_watched(kind, &scene.shapes, watch);
+    pub fn watched(scene: Scene, kind: AccelKind, progress: Progress) -> Self {
+        let accel = Accel::build_with_progress(kind, &scene.shapes, progress);
         let is_medium = |o: &Object| scene.materials[o.material as usize].is_transmissive();
         let open = (0u32..)
             .zip(&scene.objects)
@@ -110,10 +110,10 @@ impl World {
         self.accel.closest(&self.scene.shapes, ray, interval, probe)
     }
 
-    /// Something that stands on the ray before `distance`.
-    pub fn blocker<P: Probe>(&self, ray: &Ray, distance: f64, probe: &mut P) -> Option<Hit> {
+    /// An occluder: something that stands on the ray before `distance`.
+    pub fn occluder<P: Probe>(&self, ray: &Ray, distance: f64, probe: &mut P) -> Option<Hit> {
         let interval = Interval::before(distance);
-        self.accel.any(&self.scene.shapes, ray, interval, probe)
+        self.accel.any_hit(&self.scene.shapes, ray, interval, probe)
     }
 
     /// Every surface that a ray crosses inside an interval, by t.
@@ -121,7 +121,7 @@ impl World {
         let mut scratch = Scratch::default();
         let shapes = &self.scene.shapes;
         let hits = &mut scratch.hits;
-        self.accel.crossings_into(hits, shapes, ray, interval);
+        self.accel.all_hits_into(hits, shapes, ray, interval);
         self.describe(ray, &mut scratch);
         scratch.crossings
     }
@@ -138,9 +138,9 @@ impl World {
         if self.contact(hit.primitive) == Contact::Isolated {
             hits.clear();
             hits.push(*hit);
-            hits.extend(second(shapes, ray, hit, interval));
+            hits.extend(exit_of_solid(shapes, ray, hit, interval));
         } else {
-            self.accel.crossings_into(hits, shapes, ray, interval);
+            self.accel.all_hits_into(hits, shapes, ray, interval);
         }
         self.describe(ray, scratch);
         &scratch.crossings

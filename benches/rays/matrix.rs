@@ -64,7 +64,7 @@ fn in_bundles(accel: &Accel, shapes: &[Shape], rays: &[Sent], any: bool) -> usiz
     let (mut closest, mut blocked) = ([None::<Hit>; BUNDLE], [false; BUNDLE]);
     let ask = |rays: &[Sent]| {
         if any {
-            accel.any_many(shapes, rays, &mut blocked);
+            accel.occluded_many(shapes, rays, &mut blocked);
             blocked[..rays.len()].iter().filter(|&&hit| hit).count()
         } else {
             accel.closest_many(shapes, rays, &mut closest);
@@ -136,7 +136,7 @@ fn contestants(triangles: &[Triangle], shapes: &[Shape]) -> (Vec<Contestant>, Ve
         let ratios: Vec<f64> = (0..ROUNDS).map(|_| build() / reference()).collect();
         let accel = Accel::build(kind, shapes);
         let bytes = accel.stats().bytes;
-        if accel.gains_from_bundles() {
+        if accel.gains_from_packets() {
             add(
                 Contestant::Bundles(kind, accel.clone()),
                 ratios.clone(),

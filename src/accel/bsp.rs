@@ -1,4 +1,4 @@
-//! A binary space partitioning tree: planes that part space in two, again and again.
+//! BSP tree (binary space partitioning): planes that split space in two, again and again.
 //!
 //! At every node the ray's origin is on one side of the plane, the near one. What lies there comes first, then what
 //! lies on the plane, then what lies on the far side; and where the ray never reaches a side, nothing there is
@@ -10,16 +10,16 @@
 //! - A shape's hit at t lies within a few roundings of the shape, seen from the ray's point at t: every test is
 //!   backward stable. So a primitive that is hit reaches a cell that the ray is in at t, or is as close to it as
 //!   rounding allows.
-//! - `Slack` bounds that closeness, and the traversal treats every plane as that thick.
+//! - `Tolerance` bounds that closeness, and the traversal treats every plane as that thick.
 
 mod build;
-pub(super) mod classify;
-pub(super) mod sah;
-mod single;
-pub(super) mod traverse;
+pub mod classify;
+mod sah;
+mod traverse;
 
-use super::slack::Slack;
-use super::{AccelKind, AccelStats, NodeView, Planes};
+use super::inspect::{AccelStats, NodeView};
+use super::kind::AccelKind;
+use super::tolerance::Tolerance;
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 use crate::probe::NONE;
@@ -31,8 +31,8 @@ const MAX_DEPTH: u32 = 62;
 const FEW: usize = 256;
 const CROWD: u32 = 16;
 
-/// [`Node::plane`] of a leaf; 0, 1 and 2 are the axes, greater numbers count [`Bsp::normals`] from 3.
-const LEAF: u32 = u32::MAX;
+/// [`BspNode::plane`] of a leaf; 0, 1 and 2 are the axes, greater numbers count [`Bsp::normals`] from 3.
+pub const LEAF: u32 = u32::MAX;
 
 /// A tree of planes over a scene's primitives.
 #[derive(Clone, Debug)]
@@ -40,29 +40,26 @@ pub struct Bsp {
     /// Around all that is in the tree.
     bounds: Aabb,
     /// Depth first: the root is 0, and the child in front of a node's plane is the node after it.
-    nodes: Vec<Node>,
+    pub nodes: Vec<BspNode>,
     /// Unit normals of the planes that are not along an axis.
-    normals: Vec<DVec3>,
+    pub normals: Vec<DVec3>,
     /// The primitives of all nodes, those of one node next to each other and in order.
     references: Vec<u32>,
-    /// What is outside the tree and tested first: shapes without an end, and those too large or placed too
-    /// skew for a sharp bound.
-    outside: Vec<u32>,
-    slack: Slack,
+    /// Shapes without a sharp bound, which are tested first.
+    pub unbounded: Vec<u32>,
+    pub tolerance: Tolerance,
     depth: u32,
-    /// The same tree for many rays at once, if all planes are along the axes.
-    rounded: Option<Box<Planes>>,
 }
 
 /// A plane with two children, or a leaf.
 #[derive(Clone, Copy, Debug)]
-struct Node {
+pub struct BspNode {
     /// The plane's distance from the world's origin along its normal.
-    d: f64,
+    pub d: f64,
     /// Its normal: an axis, an index or [`LEAF`].
-    plane: u32,
+    pub plane: u32,
     /// The child behind it.
-    back: u32,
+    pub back: u32,
     /// Where the node's references begin: a leaf's primitives, or those that lie on the plane.
     first: u32,
     /// How many they are.
@@ -77,12 +74,6 @@ impl Bsp {
     /// of them lie on one; all others get planes along the axes. Measured with `cargo bench -p raytree-benches`: the triangles' planes
     /// are 1.2 to 1.9 times as fast on 36 to 256 triangles, about equal on 1,000 and slower from there on.
     pub fn build(kind: AccelKind, shapes: &[Shape]) -> Self {
-        let mut tree = Self::plan(kind, shapes);
-        tree.rounded = single::rounded(&tree, shapes).map(Box::new);
-        tree
-    }
-
-    fn plan(kind: AccelKind, shapes: &[Shape]) -> Self {
         if kind == AccelKind::BspPolygon {
             return build::build(shapes, true);
         }
@@ -102,17 +93,7 @@ impl Bsp {
         (!self.nodes.is_empty()).then_some(self.bounds)
     }
 
-    /// The tree in single precision, for many rays at once; `None` if it is not followed so.
-    pub(super) fn rounded(&self) -> Option<&Planes> {
-        self.rounded.as_deref()
-    }
-
-    /// The primitives that are not in the tree and are tested first.
-    pub fn outside(&self) -> &[u32] {
-        &self.outside
-    }
-
-    /// A node as a reader sees it; `None` if there is none of that number.
+    /// What can be read of a node; `None` if there is none of that number.
     pub fn node(&self, id: u32) -> Option<NodeView<'_>> {
         let node = self.nodes.get(id as usize)?;
         let leaf = node.plane == LEAF;
@@ -132,28 +113,28 @@ impl Bsp {
             leaves,
             polygon_planes: self.normals.len(),
             depth: self.depth,
-            references: self.references.len() + self.outside.len(),
+            references: self.references.len() + self.unbounded.len(),
             bytes: size_of_val(&self.nodes[..])
                 + size_of_val(&self.normals[..])
                 + size_of_val(&self.references[..])
-                + size_of_val(&self.outside[..])
-                + self.rounded.as_ref().map_or(0, |r| r.stats().bytes),
+                + size_of_val(&self.unbounded[..]),
         }
     }
 
-    fn normal(&self, node: &Node) -> DVec3 {
+    fn normal(&self, node: &BspNode) -> DVec3 {
         match node.plane {
             axis @ 0..3 => DVec3::AXES[axis as usize],
             index => self.normals[(index - 3) as usize],
         }
     }
 
-    fn primitives(&self, node: &Node) -> &[u32] {
+    /// The primitives of a leaf, or those on a node's plane.
+    pub fn primitives(&self, node: &BspNode) -> &[u32] {
         &self.references[node.first as usize..][..node.count as usize]
     }
 }
 
-impl Node {
+impl BspNode {
     /// A leaf, or, before its plane is known, any node.
     fn leaf(first: u32, count: u32) -> Self {
         Self {
@@ -173,7 +154,7 @@ mod tests {
 
     #[test]
     fn a_node_stays_small() {
-        assert_eq!(size_of::<Node>(), 24);
+        assert_eq!(size_of::<BspNode>(), 24);
     }
 
     #[test]

@@ -1,141 +1,115 @@
-//! A binary bounding volume hierarchy: the primitives are parted in two, again and again, and each part is bounded.
+//! Bounding volume hierarchies: if a ray misses a volume, it misses all that is in it.
 //!
-//! Where they are parted is chosen by the surface area heuristic, counted in bins. Source: Goldsmith and Salmon 1987,
-//! "Automatic creation of object hierarchies for ray tracing"; Wald 2007, "On fast construction of SAH-based bounding
-//! volume hierarchies". Bounded by spheres instead of boxes, as by Rubin and Whitted in 1980, the same tree lets more
-//! rays in: a sphere around something long and thin is mostly empty.
+//! One traversal for three trees, which differ only in how they are built and bounded: a binary tree of boxes, the same
+//! tree of spheres, and an octree. Source: Rubin and Whitted 1980, "A 3-dimensional
+//! representation for fast rendering of complex scenes"; Kay and Kajiya 1986 (nearest volume first).
+//!
+//! A hit at t lies within the tolerance of its shape (see `tolerance`), and the shape inside the volume: so volumes are grown
+//! by the tolerance before they are tested, and no hit is lost.
 
-use super::boxes::{Boxes, Item, Node, Volume};
+mod build;
+mod traverse;
+
+pub use build::{MAX_SAH_DEPTH, build, choose, halve};
+
+use super::bounded::{Primitives, bounds_of};
+use super::inspect::{AccelStats, NodeView};
+use super::tolerance::Tolerance;
+use super::volume::Volume;
 use crate::geometry::{Aabb, Shape};
-use crate::math::DVec3;
 
-/// Leaves hold no more, unless parting does not pay.
-const LEAF: usize = 4;
-
-/// How many bins an axis is cut into.
-const BINS: usize = 16;
-
-/// Deeper, the parts are halved, so that the depth stays below 64 for any number of primitives.
-pub const DEEP: u32 = 32;
-
-/// Builds the tree over `shapes`, bounded by boxes or by spheres.
-pub fn build(shapes: &[Shape], spheres: bool) -> Boxes {
-    let (mut tree, mut items) = Boxes::seed(shapes);
-    if items.is_empty() {
-        return tree;
-    }
-    let node = |items: &[Item]| Node {
-        volume: if spheres {
-            sphere_around(items, shapes)
-        } else {
-            Volume::Box(bounds_of(items))
-        },
-        first: 0,
-        count: 0,
-        leaf: false,
-    };
-    tree.nodes.push(node(&items));
-    // What is to do: a node, which of the items are below it, and its depth.
-    let mut work = vec![(0, 0..items.len(), 1)];
-    while let Some((id, range, depth)) = work.pop() {
-        tree.depth = tree.depth.max(depth);
-        let part = &mut items[range.clone()];
-        if part.len() <= LEAF {
-            tree.fill(id, part);
-            continue;
-        }
-        let plane = (depth < DEEP)
-            .then(|| choose(&part.iter().map(|item| item.bounds)))
-            .flatten();
-        let middle = range.start + halve(part, |item| item.bounds, plane);
-        let first = tree.nodes.len();
-        for (k, half) in [range.start..middle, middle..range.end]
-            .into_iter()
-            .enumerate()
-        {
-            tree.nodes.push(node(&items[half.clone()]));
-            work.push((first + k, half, depth + 1));
-        }
-        (tree.nodes[id].first, tree.nodes[id].count) = (first as u32, 2);
-    }
-    tree
+/// A tree of bounding volumes over a scene's primitives.
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    /// The root is 0; the children of a node stand next to each other.
+    pub nodes: Vec<BvhNode>,
+    /// The primitives of all leaves, those of one leaf next to each other and in order.
+    pub references: Vec<u32>,
+    /// Shapes without a sharp bound, which are tested first.
+    pub unbounded: Vec<u32>,
+    /// How much volumes are grown.
+    pub tolerance: Tolerance,
+    /// Nodes on the longest way down.
+    pub depth: u32,
 }
 
-/// Sorts items, two or more, into those whose centers are behind a plane across an axis and the others; how many are in the
-/// first part. Neither is empty.
-pub fn halve<T>(
-    items: &mut [T],
-    bounds: impl Fn(&T) -> Aabb,
-    plane: Option<(usize, f64)>,
-) -> usize {
-    if let Some((axis, d)) = plane {
-        let (mut low, mut high) = (0, items.len());
-        while low < high {
-            if bounds(&items[low]).center()[axis] < d {
-                low += 1;
-            } else {
-                high -= 1;
-                items.swap(low, high);
-            }
-        }
-        if low > 0 && low < items.len() {
-            return low;
-        }
-    }
-    items.len() / 2
+/// A volume with what is in it.
+#[derive(Clone, Copy, Debug)]
+pub struct BvhNode {
+    pub volume: Volume,
+    /// The first child, or a leaf's first reference.
+    pub first: u32,
+    /// How many of them.
+    pub count: u32,
+    pub leaf: bool,
 }
 
-/// Where to part the centers of boxes, an axis and a place on it: the border between bins with the least sum of area times
-/// number on both sides. `None` if they are all in one place.
-pub fn choose(boxes: &(impl Iterator<Item = Aabb> + Clone)) -> Option<(usize, f64)> {
-    let centers = Aabb::around(boxes.clone().map(Aabb::center));
-    let (mut best, mut least) = (None, f64::INFINITY);
-    for axis in 0..3 {
-        let (min, width) = (centers.min[axis], centers.size()[axis] / BINS as f64);
-        if !(width > 0.0 && width.is_finite()) {
-            continue;
-        }
-        let mut bins = [(Aabb::EMPTY, 0); BINS];
-        for b in boxes.clone() {
-            let bin = ((b.center()[axis] - min) / width) as usize;
-            let bin = &mut bins[bin.min(BINS - 1)];
-            *bin = (bin.0.union(b), bin.1 + 1);
-        }
-        let add = |sum: &mut (Aabb, u32), bin: &(Aabb, u32)| {
-            *sum = (sum.0.union(bin.0), sum.1 + bin.1);
-            Some(sum.0.surface_area() * f64::from(sum.1))
+/// A primitive to put into a tree.
+#[derive(Clone, Copy, Debug)]
+pub struct Item {
+    pub primitive: u32,
+    pub bounds: Aabb,
+}
+
+impl Bvh {
+    /// A tree without nodes, and the items to grow it from.
+    pub fn without_nodes(shapes: &[Shape]) -> (Self, Vec<Item>) {
+        let Primitives {
+            bounded,
+            unbounded,
+            tolerance,
+            ..
+        } = Primitives::new(shapes, Tolerance::MAX_COORDINATE);
+        let item = |primitive| Item {
+            primitive,
+            bounds: bounds_of(shapes, primitive),
         };
-        let below: Vec<f64> = bins.iter().scan((Aabb::EMPTY, 0), add).collect();
-        let above: Vec<f64> = bins.iter().rev().scan((Aabb::EMPTY, 0), add).collect();
-        for border in 1..BINS {
-            let cost = below[border - 1] + above[BINS - 1 - border];
-            if cost < least {
-                (best, least) = (Some((axis, min + border as f64 * width)), cost);
-            }
+        let items: Vec<Item> = bounded.into_iter().map(item).collect();
+        let tree = Self {
+            nodes: Vec::new(),
+            references: Vec::with_capacity(items.len()),
+            unbounded,
+            tolerance,
+            depth: 0,
+        };
+        (tree, items)
+    }
+
+    /// Makes a node a leaf that holds these items.
+    pub fn make_leaf(&mut self, node: usize, items: &[Item]) {
+        let first = self.references.len();
+        self.references.extend(items.iter().map(|i| i.primitive));
+        self.references[first..].sort_unstable();
+        let node = &mut self.nodes[node];
+        (node.first, node.count, node.leaf) = (first as u32, items.len() as u32, true);
+    }
+
+    /// What can be read of a node; `None` if there is none of that number.
+    pub fn node(&self, id: u32) -> Option<NodeView<'_>> {
+        let node = self.nodes.get(id as usize)?;
+        let primitives = if node.leaf {
+            self.primitives(node)
+        } else {
+            &[]
+        };
+        Some(NodeView::without_plane(primitives))
+    }
+
+    /// How large the tree is.
+    pub fn stats(&self) -> AccelStats {
+        AccelStats {
+            nodes: self.nodes.len(),
+            leaves: self.nodes.iter().filter(|n| n.leaf).count(),
+            polygon_planes: 0,
+            depth: self.depth,
+            references: self.references.len() + self.unbounded.len(),
+            bytes: size_of_val(&self.nodes[..])
+                + size_of_val(&self.references[..])
+                + size_of_val(&self.unbounded[..]),
         }
     }
-    best
-}
 
-fn bounds_of(items: &[Item]) -> Aabb {
-    let join = |b: Aabb, item: &Item| b.union(item.bounds);
-    items.iter().fold(Aabb::EMPTY, join)
-}
-
-/// A sphere around the middle of the items' box, just large enough for all of them.
-fn sphere_around(items: &[Item], shapes: &[Shape]) -> Volume {
-    let center = bounds_of(items).center();
-    let farthest = |points: &[DVec3]| {
-        let distances = points.iter().map(|p| p.distance(center));
-        distances.fold(0.0, f64::max)
-    };
-    let reach = |item: &Item| match &shapes[item.primitive as usize] {
-        Shape::Triangle(triangle) => farthest(&triangle.corners),
-        Shape::Sphere(sphere) => sphere.center.distance(center) + sphere.radius,
-        _ => farthest(&item.bounds.corners()),
-    };
-    Volume::Sphere {
-        center,
-        radius: items.iter().map(reach).fold(0.0, f64::max),
+    fn primitives(&self, leaf: &BvhNode) -> &[u32] {
+        &self.references[leaf.first as usize..][..leaf.count as usize]
     }
 }

@@ -1,18 +1,21 @@
-//! A uniform grid: cells of one size; a ray visits those on its way, one after the other.
+//! Uniform grid: cells of one size; a ray visits those on its way, one after the other.
 //!
 //! Source: Fujimoto, Tanaka and Iwata 1986, "ARTS"; Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray
 //! tracing"; the number of cells after Cleary and Wyvill 1988.
 //!
-//! No hit is lost: where a ray crosses a cell's border is wrong by less than the slack (see `slack`), so at t the ray
-//! is within the slack of the cell that is visited for t, and a hit at t is within the slack of its shape. Shapes are
+//! No hit is lost: where a ray crosses a cell's border is wrong by less than the tolerance (see `tolerance`), so at t the ray
+//! is within the tolerance of the cell that is visited for t, and a hit at t is within the tolerance of its shape. Shapes are
 //! put into all cells that their boxes reach when they are grown by several times that.
 
-use super::sift::{Sifted, bounds_of, sift};
-use super::slack::Slack;
-use super::{AccelStats, NodeView, Query};
-use crate::geometry::{Aabb, Hit, Shape};
+use super::bounded::{Primitives, bounds_of};
+use super::collect::Collect;
+use super::inspect::{AccelStats, NodeView};
+use super::query::Query;
+use super::tolerance::Tolerance;
+use super::volume::Volume;
+use crate::geometry::{Aabb, Shape};
 use crate::math::{DVec3, Interval};
-use crate::probe::{Choice, Event, NONE, Probe, Visit, tell};
+use crate::probe::{Choice, Probe, Visit, tell};
 
 /// Cells for each primitive.
 const DENSITY: f64 = 4.0;
@@ -20,7 +23,7 @@ const DENSITY: f64 = 4.0;
 /// How many references there are at most, for each primitive; with more, the cells are made larger.
 const MAX_REFERENCES: usize = 8;
 
-/// Shapes are grown by this part of a cell's edge. Rays from so far away that their slack is not smaller are tested
+/// Shapes are grown by this part of a cell's edge. Rays from so far away that their tolerance is not smaller are tested
 /// against everything.
 const GROWN: f64 = 1e-3;
 
@@ -35,34 +38,34 @@ pub struct Grid {
     /// Where each cell's references begin, x first, and where the last one's end.
     starts: Vec<u32>,
     references: Vec<u32>,
-    /// What is outside the grid and tested first.
-    outside: Vec<u32>,
-    slack: Slack,
-    /// The most slack that a ray may have, in metres.
+    /// Shapes without a sharp bound, which are tested first.
+    unbounded: Vec<u32>,
+    tolerance: Tolerance,
+    /// The most tolerance that a ray may have, in metres.
     most: f64,
 }
 
 impl Grid {
     /// Sorts `shapes` into cells.
     pub fn build(shapes: &[Shape]) -> Self {
-        let Sifted {
-            inside,
-            outside,
+        let Primitives {
+            bounded,
+            unbounded,
             bounds,
-            slack,
-        } = sift(shapes, Slack::MAX_REACH);
+            tolerance,
+        } = Primitives::new(shapes, Tolerance::MAX_COORDINATE);
         let mut grid = Self {
             bounds,
             size: [0; 3],
             edge: DVec3::ZERO,
             starts: Vec::new(),
             references: Vec::new(),
-            outside,
-            slack,
+            unbounded,
+            tolerance,
             most: 0.0,
         };
         let with_bounds = |id| (id, bounds_of(shapes, id));
-        let items: Vec<(u32, Aabb)> = inside.into_iter().map(with_bounds).collect();
+        let items: Vec<(u32, Aabb)> = bounded.into_iter().map(with_bounds).collect();
         let mut cells = DENSITY * items.len() as f64;
         while !items.is_empty() && !grid.sort(&items, cells) {
             cells /= 4.0;
@@ -73,8 +76,8 @@ impl Grid {
     /// Sorts the items into about so many cells; false if the references would be too many. One cell always does.
     fn sort(&mut self, items: &[(u32, Aabb)], cells: f64) -> bool {
         let extent = self.bounds.size();
-        // No edge is shorter than the slack of a ray from nearby is thick, by far.
-        let near = 2.0 * self.slack.around(DVec3::ZERO);
+        // No edge is shorter than the tolerance of a ray from nearby is thick, by far.
+        let near = 2.0 * self.tolerance.for_origin(DVec3::ZERO);
         let least = near / GROWN;
         let longest = extent.max_element().max(least);
         let flat = extent.max(DVec3::splat(1e-3 * longest));
@@ -110,14 +113,14 @@ impl Grid {
         }
         self.starts = vec![0; cell_count + 1];
         for range in &reached {
-            self.each(range, |starts, _, cell| starts[cell + 1] += 1);
+            self.for_each_cell(range, |starts, _, cell| starts[cell + 1] += 1);
         }
         for cell in 0..cell_count {
             self.starts[cell + 1] += self.starts[cell];
         }
         self.references = vec![0; total];
         for ((primitive, _), range) in items.iter().zip(&reached).rev() {
-            self.each(range, |starts, references, cell| {
+            self.for_each_cell(range, |starts, references, cell| {
                 starts[cell + 1] -= 1;
                 references[starts[cell + 1] as usize] = *primitive;
             });
@@ -137,12 +140,12 @@ impl Grid {
     /// The cell of a point, or the one closest to it.
     fn cell_of(&self, p: DVec3) -> [usize; 3] {
         let cell = ((p - self.bounds.min) / self.edge).to_array();
-        // Below 0 and what is not a number become 0.
+        // Below 0 and NaN become 0.
         std::array::from_fn(|k| (cell[k] as usize).min(self.size[k] - 1))
     }
 
     /// Calls for each cell of a range.
-    fn each(
+    fn for_each_cell(
         &mut self,
         [from, to]: &[[usize; 3]; 2],
         mut call: impl FnMut(&mut [u32], &mut [u32], usize),
@@ -157,85 +160,44 @@ impl Grid {
         }
     }
 
-    /// The closest hit, or with `ANY` the first that turns up.
+    /// Walks from cell to cell along the ray, and tests what is in them.
     #[inline(never)]
-    pub fn search<const ANY: bool, P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
-        let mut best = None;
-        if query.test_all::<ANY, P>(&self.outside, &mut best, probe) || self.starts.is_empty() {
-            return best;
-        }
-        let slack = self.slack.around(query.ray.origin);
-        let bounds = self.bounds.padded(DVec3::splat(slack));
-        let Some(inside) = bounds.clip(&query.ray, query.interval) else {
-            if P::TRAVERSAL {
-                tell!(probe, step(0, query.interval, Choice::SkippedOutside));
-            }
-            return best;
+    pub fn search<C: Collect, P: Probe>(&self, query: &Query, found: &mut C, probe: &mut P) {
+        let root = (!self.starts.is_empty()).then_some(Volume::Box(self.bounds));
+        let entry = query.enter(&self.unbounded, root, &self.tolerance, found, probe);
+        let Some((tolerance, inside)) = entry else {
+            return;
         };
-        let near = slack <= self.most;
+        let near = tolerance <= self.most;
         if !near {
-            query.test_all::<ANY, P>(&self.references, &mut best, probe);
-            return best;
+            query.test_all(&self.references, found, probe);
+            return;
         }
-        let (o, d) = (query.ray.origin.to_array(), query.ray.direction.to_array());
-        let mut cell = self.cell_of(query.ray.at(inside.min));
-        // Where the ray leaves a cell along an axis: each border is computed anew, so that errors do not add up. Cells
-        // at the rim go on for ever: the ray was cut to the grid before.
-        let leaves = |axis: usize, cell: usize| {
-            let border = cell + usize::from(d[axis] > 0.0);
-            if d[axis] == 0.0 || border == 0 || border == self.size[axis] {
-                return f64::INFINITY;
-            }
-            let border = self.bounds.min[axis] + self.edge[axis] * border as f64;
-            (border - o[axis]) / d[axis]
-        };
-        let mut ends = [0, 1, 2].map(|axis| leaves(axis, cell[axis]));
-        let mut enter = inside.min;
+        let mut walk = Walk::new(self, query, inside);
         loop {
-            let axis = if ends[0] <= ends[1] && ends[0] <= ends[2] {
-                0
-            } else if ends[1] <= ends[2] {
-                1
-            } else {
-                2
-            };
-            let leave = ends[axis].max(enter);
-            let id = (cell[2] * self.size[1] + cell[1]) * self.size[0] + cell[0];
+            let (axis, leave) = walk.next_border();
+            let id = (walk.cell[2] * self.size[1] + walk.cell[1]) * self.size[0] + walk.cell[0];
             if P::TRAVERSAL {
-                let part = Interval::new(enter, leave.min(inside.max));
-                tell!(probe, step(id as u32, part, Choice::Cell));
+                let part = Interval::new(walk.enter, leave.min(inside.max));
+                tell!(probe, Visit::end(id as u32, part, Choice::Cell));
             }
-            if query.test_all::<ANY, P>(self.primitives(id), &mut best, probe) {
-                return best;
+            if query.test_all(self.primitives(id), found, probe) {
+                return;
             }
             // A hit at the very border does not count: one beyond it may be as close and have the smaller id.
-            if leave > inside.max || leave == f64::INFINITY || best.is_some_and(|hit| hit.t < leave)
-            {
-                return best;
+            let is_over = leave > inside.max
+                || leave == f64::INFINITY
+                || found.closest().is_some_and(|hit| hit.t < leave);
+            if is_over || !walk.step(axis, leave) {
+                return;
             }
-            let next = if d[axis] > 0.0 {
-                Some(cell[axis] + 1).filter(|&next| next < self.size[axis])
-            } else {
-                cell[axis].checked_sub(1)
-            };
-            let Some(next) = next else {
-                return best;
-            };
-            cell[axis] = next;
-            ends[axis] = leaves(axis, next);
-            enter = leave;
         }
     }
 
-    /// A cell as a reader sees it; `None` if there is none of that number.
+    /// What can be read of a cell; `None` if there is none of that number.
     pub fn node(&self, id: u32) -> Option<NodeView<'_>> {
         let cells = self.starts.len().saturating_sub(1);
-        ((id as usize) < cells).then(|| NodeView {
-            plane: None,
-            axis: None,
-            children: None,
-            primitives: self.primitives(id as usize),
-        })
+        ((id as usize) < cells).then(|| NodeView::without_plane(self.primitives(id as usize)))
     }
 
     /// How large the grid is.
@@ -244,12 +206,12 @@ impl Grid {
         AccelStats {
             nodes: cells,
             leaves: cells,
-            polygon_planes: 0,
             depth: u32::from(cells > 0),
-            references: self.references.len() + self.outside.len(),
+            references: self.references.len() + self.unbounded.len(),
             bytes: size_of_val(&self.starts[..])
                 + size_of_val(&self.references[..])
-                + size_of_val(&self.outside[..]),
+                + size_of_val(&self.unbounded[..]),
+            ..AccelStats::default()
         }
     }
 
@@ -258,13 +220,79 @@ impl Grid {
     }
 }
 
-fn step(node: u32, inside: Interval, choice: Choice) -> Event {
-    Event::Visit(Visit {
-        node,
-        interval: [inside.min, inside.max],
-        t_split: f64::NAN,
-        near: NONE,
-        far: NONE,
-        choice,
-    })
+/// A ray on its way through the cells. Source: Amanatides and Woo 1987.
+struct Walk<'a> {
+    grid: &'a Grid,
+    origin: [f64; 3],
+    direction: [f64; 3],
+    cell: [usize; 3],
+    /// Where the ray enters the cell, and where it leaves it along each axis.
+    enter: f64,
+    ends: [f64; 3],
+}
+
+impl<'a> Walk<'a> {
+    /// The start, in the cell where the ray enters the grid.
+    #[inline(always)]
+    fn new(grid: &'a Grid, query: &Query, inside: Interval) -> Self {
+        let mut walk = Self {
+            grid,
+            origin: query.ray.origin.to_array(),
+            direction: query.ray.direction.to_array(),
+            cell: grid.cell_of(query.ray.at(inside.min)),
+            enter: inside.min,
+            ends: [0.0; 3],
+        };
+        walk.ends = [0, 1, 2].map(|axis| walk.end(axis));
+        walk
+    }
+
+    /// Where the ray leaves its cell along an axis. Each border is computed anew, so that errors do not add up. Cells at
+    /// the rim are endless: the ray was cut to the grid before.
+    #[inline(always)]
+    fn end(&self, axis: usize) -> f64 {
+        let Self {
+            grid,
+            origin,
+            direction,
+            ..
+        } = self;
+        let border = self.cell[axis] + usize::from(direction[axis] > 0.0);
+        if direction[axis] == 0.0 || border == 0 || border == grid.size[axis] {
+            return f64::INFINITY;
+        }
+        let border = grid.bounds.min[axis] + grid.edge[axis] * border as f64;
+        (border - origin[axis]) / direction[axis]
+    }
+
+    /// The axis of the first border that the ray crosses, and where.
+    #[inline(always)]
+    fn next_border(&self) -> (usize, f64) {
+        let ends = &self.ends;
+        let axis = if ends[0] <= ends[1] && ends[0] <= ends[2] {
+            0
+        } else if ends[1] <= ends[2] {
+            1
+        } else {
+            2
+        };
+        (axis, ends[axis].max(self.enter))
+    }
+
+    /// Goes on to the next cell along an axis; false if there is none.
+    #[inline(always)]
+    fn step(&mut self, axis: usize, leave: f64) -> bool {
+        let next = if self.direction[axis] > 0.0 {
+            Some(self.cell[axis] + 1).filter(|&next| next < self.grid.size[axis])
+        } else {
+            self.cell[axis].checked_sub(1)
+        };
+        let Some(next) = next else {
+            return false;
+        };
+        self.cell[axis] = next;
+        self.ends[axis] = self.end(axis);
+        self.enter = leave;
+        true
+    }
 }

@@ -1,22 +1,23 @@
-//! A kd-tree: a binary space partitioning tree whose planes are all along the axes, each the best of all that there
+//! Kd-tree: a binary space partitioning tree whose planes are all along the axes, each the best of all that there
 //! are by the surface area heuristic.
 //!
-//! Bounds are sorted once, for the root (of large scenes, for each of the parts that [`upper`] leaves). A plane parts the sorted lists into two that are sorted as well; only the
-//! bounds of what it cuts, which are new, are sorted and merged in. So the whole is done in O(n log n).
+//! Bounds are sorted once, for the root (of large scenes, for each of the parts that [`upper`] leaves). A plane parts the
+//! sorted lists into two that are sorted as well; only the bounds of what it cuts, which are new, are sorted and merged
+//! in. So the whole is done in O(n log n).
 //! Source: Wald and Havran 2006, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)".
 //!
-//! All is in the space of [`super::planes`], and bounds are rounded to single precision: its planes are thick enough.
+//! All is in the space of [`super::fast::compact`], and bounds are rounded to single precision: its planes are thick enough.
 
 mod events;
 mod part;
 mod upper;
 
-use super::Watch;
-use super::local::Frame;
-use super::planes::{MAX_DEPTH, MAX_REACH, MAX_REFERENCES, Node, Planes, Tree};
-use super::sift::sift;
+use super::bounded::Primitives;
+use super::fast::compact::{CompactNode, CompactTree, MAX_DEPTH, MAX_REFERENCES, Tree};
+use super::fast::local_ray::{MAX_COORDINATE, UnitBox};
+use super::inspect::Progress;
 use crate::geometry::Shape;
-use events::{Best, Event, sweep};
+use events::{Best, BoundEvent, sweep};
 use part::{Clip, part};
 use upper::Task;
 
@@ -41,32 +42,32 @@ pub struct Item {
 /// What a cell holds: items, and for each axis their bounds' events in order.
 pub struct Cell {
     pub items: Vec<Item>,
-    pub events: [Vec<Event>; 3],
+    pub events: [Vec<BoundEvent>; 3],
     pub bounds: Bounds,
 }
 
 /// Builds the tree over `shapes`. No step depends on the number of threads.
-pub fn build(shapes: &[Shape], watch: Watch) -> Planes {
-    let sifted = sift(shapes, MAX_REACH);
-    let frame = Frame::new(sifted.bounds, sifted.slack);
+pub fn build(shapes: &[Shape], progress: Progress) -> CompactTree {
+    let primitives = Primitives::new(shapes, MAX_COORDINATE);
+    let unit_box = UnitBox::new(primitives.bounds, primitives.tolerance);
     let clip = Clip {
         shapes,
-        frame: &frame,
+        unit_box: &unit_box,
     };
-    let bounds = around(sifted.inside.iter().map(|id| clip.whole(*id)));
-    let count = sifted.inside.len();
+    let bounds = around(primitives.bounded.iter().map(|id| clip.whole(*id)));
+    let count = primitives.bounded.len();
     let mut tree = Tree::default();
     if count > 0 {
         let whole = Task {
-            primitives: sifted.inside,
+            primitives: primitives.bounded,
             bounds,
             place: 0,
             levels: [0, (8 + 2 * count.ilog2()).min(MAX_DEPTH)],
             spare: (MAX_REFERENCES - 1) * count,
         };
-        tree = upper::tree(&clip, whole, watch);
+        tree = upper::tree(&clip, whole, progress);
     }
-    Planes::new(frame, bounds, tree, sifted.outside, shapes)
+    CompactTree::new(unit_box, bounds, tree, primitives.unbounded, shapes)
 }
 
 impl Cell {
@@ -75,7 +76,7 @@ impl Cell {
         let events = [0, 1, 2].map(|axis| {
             let mut list = Vec::with_capacity(2 * items.len());
             for (i, item) in items.iter().enumerate() {
-                Event::push(&mut list, i, &item.bounds, axis);
+                BoundEvent::push(&mut list, i, &item.bounds, axis);
             }
             list.sort_unstable();
             list
@@ -102,18 +103,18 @@ fn around(items: impl Iterator<Item = Item>) -> Bounds {
 /// The subtree of a cell, at most `levels` deep, in which cutting may add `spare` references.
 fn grow(clip: &Clip, cell: Cell, levels: u32, spare: usize) -> Tree {
     let mut tree = Tree {
-        nodes: vec![Node::leaf(0, 0)],
+        nodes: vec![CompactNode::leaf(0, 0)],
         ..Tree::default()
     };
     grow_at(clip, &mut tree, 0, cell, [0, levels], spare);
     tree
 }
 
-/// The same, in a place of a tree: so many levels are above it, and so many may follow.
+/// Makes a node the root of a cell's subtree, `above` levels below the root and with at most `below` more.
 fn grow_at(
     clip: &Clip,
     tree: &mut Tree,
-    place: usize,
+    node: usize,
     cell: Cell,
     [above, below]: [u32; 2],
     spare: usize,
@@ -122,11 +123,11 @@ fn grow_at(
     tree.depth = tree.depth.max(above);
     let plane = (below > 0).then(|| choose(&cell)).flatten();
     let Some(plane) = plane.filter(|p| p.cut <= spare) else {
-        return tree.fill(place, cell.items.iter().map(|item| item.primitive));
+        return tree.make_leaf(node, cell.items.iter().map(|item| item.primitive));
     };
     let [behind, front] = part(clip, cell, &plane);
-    let children = tree.pair();
-    tree.nodes[place] = Node::along(plane.axis, plane.d, children);
+    let children = tree.push_children();
+    tree.nodes[node] = CompactNode::along(plane.axis, plane.d, children);
     let [for_behind, for_front] = share(spare, whole, [behind.items.len(), front.items.len()]);
     let levels = [above + 1, below - 1];
     grow_at(clip, tree, children, behind, levels, for_behind);

@@ -1,38 +1,32 @@
 //! No acceleration: every ray is tested against every shape. O(n) a ray, and obviously right.
 
-use super::Query;
-use crate::geometry::{Hit, Shape};
+use super::collect::Collect;
+use super::query::Query;
+use crate::geometry::Shape;
 use crate::probe::Probe;
 
-/// The slow twin.
+/// The list of all shapes: the reference for the other structures.
 #[derive(Clone, Debug)]
 pub struct List {
     count: u32,
 }
 
 impl List {
-    /// Nothing to build but the number of shapes.
+    /// The list; nothing is built but the number of shapes.
     pub fn build(shapes: &[Shape]) -> Self {
         Self {
             count: shapes.len() as u32,
         }
     }
 
-    /// The closest hit.
-    pub fn closest<P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
-        let mut best = None;
+    /// Tests the shapes in order until the search is over.
+    #[inline(always)]
+    pub fn search<C: Collect, P: Probe>(&self, query: &Query, found: &mut C, probe: &mut P) {
         for primitive in 0..self.count {
-            query.test(primitive, &mut best, probe);
+            query.test(primitive, found, probe);
+            if C::ANY && found.closest().is_some() {
+                return;
+            }
         }
-        best
-    }
-
-    /// The first hit in the list.
-    pub fn any<P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
-        let mut best = None;
-        (0..self.count).find_map(|primitive| {
-            query.test(primitive, &mut best, probe);
-            best
-        })
     }
 }

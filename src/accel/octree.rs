@@ -1,16 +1,17 @@
-//! An octree: a cube, halved along all three axes at once, again and again where there is much in it.
+//! Octree: a cube, halved along all three axes at once, again and again where there is much in it.
 //!
 //! Primitives are put into every cell that their boxes reach. Source: Glassner 1984, "Space subdivision for fast ray
 //! tracing".
 
-use super::boxes::{Boxes, Item, Node, Volume};
+use super::bvh::{Bvh, BvhNode, Item};
+use super::volume::Volume;
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 
 /// Cells with no more primitives stay whole.
-const LEAF: usize = 6;
+const LEAF_SIZE: usize = 6;
 
-/// No cell is halved more often; 7 children wait at most at each level.
+/// No cell is halved more often; each level leaves at most 7 children on the stack.
 const MAX_DEPTH: u32 = 20;
 
 /// How many references there are at most, for each primitive.
@@ -27,8 +28,8 @@ struct Task {
 }
 
 /// Builds the tree over `shapes`.
-pub fn build(shapes: &[Shape]) -> Boxes {
-    let (mut tree, items) = Boxes::seed(shapes);
+pub fn build(shapes: &[Shape]) -> Bvh {
+    let (mut tree, items) = Bvh::without_nodes(shapes);
     if items.is_empty() {
         return tree;
     }
@@ -55,7 +56,7 @@ pub fn build(shapes: &[Shape]) -> Boxes {
         let added = total.saturating_sub(task.items.len());
         // Parting is no use if all children hold nearly all.
         if parts.is_empty() || added > task.spare || total > 4 * task.items.len() {
-            tree.fill(task.node, &task.items);
+            tree.make_leaf(task.node, &task.items);
             continue;
         }
         let first = tree.nodes.len();
@@ -84,7 +85,7 @@ fn split(task: &Task) -> Vec<(Aabb, Vec<Item>)> {
     } = task;
     let middle = cell.center();
     let narrow = middle.cmpeq(cell.min) | middle.cmpeq(cell.max);
-    if items.len() <= LEAF || *depth >= MAX_DEPTH || narrow.any() {
+    if items.len() <= LEAF_SIZE || *depth >= MAX_DEPTH || narrow.any() {
         return Vec::new();
     }
     let eighth = |corner: DVec3| {
@@ -104,8 +105,8 @@ fn split(task: &Task) -> Vec<(Aabb, Vec<Item>)> {
         .collect()
 }
 
-fn node(cell: Aabb) -> Node {
-    Node {
+fn node(cell: Aabb) -> BvhNode {
+    BvhNode {
         volume: Volume::Box(cell),
         first: 0,
         count: 0,

@@ -86,9 +86,9 @@ fn of_shape(shape: &Shape) -> Option<ObjectOutline> {
                 points.iter().zip(next).map(|(a, b)| [*a, *b]).collect(),
             ))
         }
-        Shape::Placed(placed) => {
-            let to_world = |p: &DVec3| placed.transform.point(*p);
-            match of_shape(&placed.shape)? {
+        Shape::Transformed(transformed) => {
+            let to_world = |p: &DVec3| transformed.transform.point(*p);
+            match of_shape(&transformed.shape)? {
                 ObjectOutline::Edges(edges) => {
                     let edges = edges.iter().map(|[a, b]| [to_world(a), to_world(b)]);
                     Some(ObjectOutline::Edges(edges.collect()))

@@ -1,15 +1,19 @@
-//! With which arithmetic shapes are tested, and how a ray leaves a surface.
+//! Choices of arithmetic: how shapes are tested, and how a ray leaves a surface.
 //!
-//! The default is what raytree is built on. The other choices are those of many tracers; they are there to be looked
-//! at beside it, and never without a note that says so.
+//! The default is what raytree is built on. The other choices are those of many tracers; they are there for comparison,
+//! and never without a note that says so.
+
+pub mod flat;
+pub mod real;
+pub mod sphere;
+pub mod triangle;
 
 use std::fmt;
 use std::str::FromStr;
 
-use crate::math::DVec3;
-
 /// How a triangle is tested.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum TriangleTest {
     /// The crossing with its plane, then the sides of its three edges, as in the lectures.
     PlaneEdges,
@@ -33,7 +37,8 @@ pub enum Offset {
 }
 
 /// How the two crossings of a sphere are computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Quadratic {
     /// The school formula.
     Naive,
@@ -43,7 +48,8 @@ pub enum Quadratic {
 }
 
 /// The numbers that tests and hit points are computed with.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Precision {
     /// 24 bits, about 7 digits.
     Single,
@@ -82,11 +88,7 @@ impl TriangleTest {
 
     /// Its name on the command line and in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::PlaneEdges => "plane-edges",
-            Self::MollerTrumbore => "moller-trumbore",
-            Self::Watertight => "watertight",
-        }
+        self.into()
     }
 }
 
@@ -96,10 +98,7 @@ impl Quadratic {
 
     /// Its name on the command line and in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Naive => "naive",
-            Self::Stable => "stable",
-        }
+        self.into()
     }
 }
 
@@ -109,10 +108,7 @@ impl Precision {
 
     /// Its name on the command line and in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Single => "single",
-            Self::Double => "double",
-        }
+        self.into()
     }
 }
 
@@ -147,25 +143,6 @@ impl FromStr for Offset {
 }
 
 impl Arithmetic {
-    /// How much sooner than at a light, `distance` metres from `point` and met at an angle of this cosine, a ray to it ends
-    /// that starts `moved` metres from there, so that the light does not stand in its own way. With ours the end of the ray
-    /// is clear of the light by the errors there; it is the start that may be moved by more, off a surface that is larger
-    /// than all else.
-    pub fn short_of_light(&self, point: DVec3, moved: f64, (distance, cos): (f64, f64)) -> f64 {
-        let by_offset = match self.offset {
-            Offset::Fixed(_) => moved / cos.max(0.01),
-            Offset::Bounded => moved / cos.max(1e-6),
-            Offset::None => 0.0,
-        };
-        let by_rounding = match self.precision {
-            Precision::Single if distance.is_finite() => {
-                64.0 * f64::from(f32::EPSILON) * (point.abs().max_element() + distance)
-            }
-            _ => 0.0,
-        };
-        by_offset + by_rounding
-    }
-
     /// The choices that are not the default, in the order of the fields.
     pub fn deviations(&self) -> Vec<Deviation> {
         let ours = Self::default();

@@ -50,10 +50,10 @@ impl Disc {
         let local = ray.at(t) - self.center;
         let [x, y] = [local.dot(u), local.dot(v)];
         let point = self.center + x * u + y * v;
-        let reach = self.center.abs().max_element() + self.radius;
+        let max_coordinate = self.center.abs().max_element() + self.radius;
         SurfacePoint {
             point,
-            error: DVec3::splat(gamma(64) * reach),
+            error: DVec3::splat(gamma(64) * max_coordinate),
             normal: w,
             uv: DVec2::new(
                 libm::atan2(-y, -x) / TAU + 0.5,
@@ -66,14 +66,14 @@ impl Disc {
     /// normal.
     pub fn bounds(&self) -> Aabb {
         let n = self.frame.w;
-        let reach = (DVec3::ONE - n * n).max(DVec3::ZERO).map(f64::sqrt) * self.radius;
+        let extent = (DVec3::ONE - n * n).max(DVec3::ZERO).map(f64::sqrt) * self.radius;
         // 1 - n^2 loses digits where n is nearly 1: it may be wrong by 4 u, its root by 2 sqrt(u).
         let lost = DVec3::splat(4e-8 * self.radius);
         let pad = gamma(16) * (self.center.abs() + DVec3::splat(self.radius));
         let on_axis = n.abs().max_element() == 1.0;
         Aabb {
-            min: self.center - reach,
-            max: self.center + reach,
+            min: self.center - extent,
+            max: self.center + extent,
         }
         .padded(if on_axis { pad } else { pad + lost })
     }

@@ -136,10 +136,10 @@ impl Triangle {
     pub fn surface(&self, barycentric: [f64; 3]) -> SurfacePoint {
         let [a, b, c] = self.corners;
         let [u, v, w] = barycentric;
-        let reach = a.abs().max(b.abs()).max(c.abs()).max_element();
+        let max_coordinate = a.abs().max(b.abs()).max(c.abs()).max_element();
         SurfacePoint {
             point: u * a + v * b + w * c,
-            error: DVec3::splat(gamma(64) * reach),
+            error: DVec3::splat(gamma(64) * max_coordinate),
             normal: self.normal().unwrap_or(DVec3::Y),
             uv: DVec2::new(v, w),
         }

@@ -30,7 +30,7 @@ pub fn parameters(shapes: &[Shape], base: &Settings, leaves: bool) -> Vec<Parame
 /// A shape before it was turned or stretched.
 fn inner(shape: &Shape) -> &Shape {
     match shape.plain() {
-        Shape::Placed(placed) => &placed.shape,
+        Shape::Transformed(transformed) => &transformed.shape,
         plain => plain,
     }
 }

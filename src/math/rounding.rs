@@ -18,15 +18,15 @@ pub const fn gamma(n: u32) -> f64 {
 /// The origin for a ray that leaves a surface along `direction`.
 ///
 /// The computed hit point lies within `error` (absolute, per axis) of the true surface, whose unit normal is
-/// `normal`. The box of that error reaches d = sum |n_k| error_k along the normal; stepping that far, to the side
+/// `normal`. The box of that error extends d = sum |n_k| error_k along the normal; stepping that far, to the side
 /// that the ray goes to, and then one float further on each axis, leaves the surface for certain. No epsilon is
 /// chosen by hand, so the step is right at every scale.
 pub fn offset_origin(point: DVec3, error: DVec3, normal: DVec3, direction: DVec3) -> DVec3 {
-    let reach = normal.abs().dot(error);
+    let normal_error = normal.abs().dot(error);
     let offset = if direction.dot(normal) < 0.0 {
-        -reach * normal
+        -normal_error * normal
     } else {
-        reach * normal
+        normal_error * normal
     };
     let moved = point + offset;
     DVec3::new(

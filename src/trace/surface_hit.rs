@@ -2,7 +2,7 @@
 
 use super::View;
 use super::tree::Outcome;
-use crate::geometry::{Hit, Shape};
+use crate::geometry::Hit;
 use crate::math::Ray;
 use crate::scene::Object;
 use crate::shading::{Interaction, Material};
@@ -26,7 +26,7 @@ pub struct SurfaceHit<'a> {
 }
 
 impl<'a> View<'a> {
-    /// Where the ray of a node ended on a surface; for blocked L rays the blocker. `None` if it hit nothing.
+    /// Where the ray of a node ended on a surface; for blocked L rays the occluder. `None` if it hit nothing.
     pub fn surface_hit(self, node: u32) -> Option<SurfaceHit<'a>> {
         let node = self.trace.tree.node(node);
         let (Outcome::Hit(hit) | Outcome::Blocked(hit)) = node.outcome? else {
@@ -68,10 +68,8 @@ impl<'a> View<'a> {
             Some(Outcome::Hit(left)) => left.primitive,
             _ => return false,
         };
-        let flat =
-            |shape: &Shape| matches!(shape, Shape::Triangle(_) | Shape::Plane(_) | Shape::Disc(_));
         let close = CLOSE * this.ray.origin.abs().max_element();
         let shape = &self.world.scene.shapes[hit.primitive as usize];
-        hit.primitive == left && (flat(shape.plain()) || hit.t <= close)
+        hit.primitive == left && (shape.is_flat() || hit.t <= close)
     }
 }

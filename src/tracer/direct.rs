@@ -152,7 +152,7 @@ impl<P: Probe> Tracer<'_, P> {
                 weight: Rgb::WHITE,
             })
         );
-        let occluder = self.world.blocker(ray, seen.distance, self.probe);
+        let occluder = self.world.occluder(ray, seen.distance, self.probe);
         tell!(self.probe, occluder.map_or(Event::Lit, Event::Blocked));
         tell!(
             self.probe,

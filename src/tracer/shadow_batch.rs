@@ -1,7 +1,7 @@
 //! Shadow-ray batch: rays to one light that are traced together, those to an area sorted by direction (Morton order).
 
 use super::light_sampler::{LightSampler, ShadowRay};
-use crate::accel::RAYS;
+use crate::accel::PACKET_SIZE;
 use crate::math::{DVec3, Interval, Ray};
 use crate::probe::Absence;
 use crate::world::World;
@@ -85,13 +85,15 @@ impl ShadowBatch {
     pub fn trace(&mut self, world: &World, to_area: bool) {
         // From neighbours to one point, rays are coherent as they are. To an area they go all over it: in the order of
         // their directions, each packet sees a small part of the light.
-        if to_area && self.rays.len() > RAYS && world.accel.gains_from_bundles() {
+        if to_area && self.rays.len() > PACKET_SIZE && world.accel.gains_from_packets() {
             self.sort();
         }
         self.occluded.clear();
         self.occluded.resize(self.rays.len(), false);
         let shapes = &world.scene.shapes;
-        world.accel.any_many(shapes, &self.rays, &mut self.occluded);
+        world
+            .accel
+            .occluded_many(shapes, &self.rays, &mut self.occluded);
         for (index, occluded) in self.indices.iter().zip(&self.occluded) {
             self.prefetched[*index as usize].occluded = *occluded;
         }

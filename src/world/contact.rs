@@ -96,7 +96,7 @@ impl Extent {
 fn grown(shape: &Shape) -> Option<Aabb> {
     let bounds = shape.bounds()?;
     let condition = match shape.plain() {
-        Shape::Placed(placed) => placed.transform.condition(),
+        Shape::Transformed(transformed) => transformed.transform.condition(),
         _ => 1.0,
     };
     let reach = bounds.min.abs().max(bounds.max.abs()).max_element();

@@ -53,7 +53,7 @@ fn agree_on(trees: &[AccelKind], shapes: &[Shape], rays: &[(Ray, Interval)]) -> 
                     "{kind:?}: {ray:?} {interval:?}: {found:?}, the list {expected:?}"
                 ));
             }
-            let any = tree.any(shapes, ray, *interval, &mut Silent);
+            let any = tree.any_hit(shapes, ray, *interval, &mut Silent);
             if any.is_some() != expected.is_some() {
                 return Err(format!("{kind:?}: any for {ray:?} {interval:?}: {any:?}"));
             }
@@ -62,7 +62,7 @@ fn agree_on(trees: &[AccelKind], shapes: &[Shape], rays: &[(Ray, Interval)]) -> 
         let mut closest = vec![None; rays.len()];
         tree.closest_many(shapes, rays, &mut closest);
         let mut any = vec![false; rays.len()];
-        tree.any_many(shapes, rays, &mut any);
+        tree.occluded_many(shapes, rays, &mut any);
         let found = closest.into_iter().zip(any);
         for (((ray, interval), expected), (closest, any)) in rays.iter().zip(&expected).zip(found) {
             if (*expected, expected.is_some()) != (bits(closest), any) {

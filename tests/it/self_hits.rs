@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use raytree::geometry::{
-    Aabb, Cuboid, Disc, Intersection, Placed, Plane, Shape, Shear, Sphere, Triangle,
+    Aabb, Cuboid, Disc, Intersection, Plane, Shape, Shear, Sphere, Transformed, Triangle,
 };
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::shading::{Interaction, Side};
@@ -75,7 +75,7 @@ fn shape() -> impl Strategy<Value = Shape> {
             } else {
                 Shape::Cuboid(cuboid(DVec3::ZERO, DVec3::ONE))
             };
-            Some(Shape::Placed(Box::new(Placed {
+            Some(Shape::Transformed(Box::new(Transformed {
                 shape,
                 transform: Transform::new(map)?,
             })))

@@ -188,7 +188,7 @@ fn the_rule_of_manners_can_fail() {
     );
     fails(&in_layer("cli.rs", "fn f() { todo!() }"), "todo");
     fails(
-        &in_layer("accel/simd.rs", "fn f() { unsafe { g() } }"),
+        &in_layer("accel/fast/simd.rs", "fn f() { unsafe { g() } }"),
         "unsafe",
     );
 }

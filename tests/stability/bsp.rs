@@ -59,7 +59,7 @@ fn case_17_every_tree_finds_what_the_list_finds() {
             let ray = any_ray(&mut random, offset, size);
             let answers = accels.iter().map(|(kind, accel)| {
                 let closest = accel.closest(&shapes, &ray, Interval::FORWARD, &mut Silent);
-                let crossings = accel.crossings(&shapes, &ray, Interval::FORWARD);
+                let crossings = accel.all_hits(&shapes, &ray, Interval::FORWARD);
                 let crossings: Vec<_> = crossings.iter().map(bits).collect();
                 (kind, closest.as_ref().map(bits), crossings)
             });

@@ -45,7 +45,7 @@ fn leaks(
     let mut crossed = Vec::new();
     for (kind, accel) in all(&shapes) {
         for (i, ray) in aimed.iter().enumerate() {
-            accel.crossings_into(&mut crossed, &shapes, ray, Interval::FORWARD);
+            accel.all_hits_into(&mut crossed, &shapes, ray, Interval::FORWARD);
             let (n, odd) = (crossed.len(), crossed.len() % 2 == 1);
             if !odd || convex && n != 1 {
                 return Err(format!("{kind:?}: {n} crossings of {ray:?}: {crossed:?}"));
@@ -109,7 +109,7 @@ fn case_02_rays_at_the_pole_of_a_fan_of_a_thousand() {
         for _ in 0..count(10_000, 60) {
             let pole = fan.points[random.below(2)];
             let ray = towards(0.2 * random.point(), pole).expect("a direction");
-            let crossed = accel.crossings(&shapes, &ray, Interval::FORWARD);
+            let crossed = accel.all_hits(&shapes, &ray, Interval::FORWARD);
             assert_eq!(crossed.len(), 1, "{kind:?}: {ray:?}");
         }
     }

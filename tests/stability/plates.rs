@@ -150,9 +150,9 @@ impl Plates {
             let mut together = vec![None; rays.len()];
             world.accel.closest_many(shapes, &asked, &mut together);
             let mut any = vec![false; rays.len()];
-            world.accel.any_many(shapes, &asked, &mut any);
+            world.accel.occluded_many(shapes, &asked, &mut any);
             for (i, ray) in rays.iter().enumerate() {
-                let blocker = world.blocker(ray, f64::INFINITY, &mut Silent).is_some();
+                let blocker = world.occluder(ray, f64::INFINITY, &mut Silent).is_some();
                 let found = each[i].as_ref().map(bits);
                 assert_eq!(found, together[i].as_ref().map(bits), "{name:?}: {ray:?}");
                 assert_eq!([blocker, any[i]], [found.is_some(); 2], "{name:?}: {ray:?}");

@@ -54,7 +54,7 @@ fn case_49_a_convex_solid_does_not_shadow_itself() {
                 }
                 sent += 1;
                 let shadow = Ray::new(at.origin_towards(direction), direction);
-                let blocker = accel.any(&shapes, &shadow, Interval::FORWARD, &mut Silent);
+                let blocker = accel.any_hit(&shapes, &shadow, Interval::FORWARD, &mut Silent);
                 assert_eq!(blocker, None, "{offset}: {at:?}, {shadow:?}");
             }
         }

@@ -228,7 +228,7 @@ fn case_12_rays_that_are_none_miss_in_every_accelerator() {
             let hit = accel.closest(&shapes, ray, *interval, &mut raytree::probe::Silent);
             assert_eq!(hit, None, "{kind:?}: {ray:?} {interval:?}");
             assert_eq!(
-                accel.crossings(&shapes, ray, *interval),
+                accel.all_hits(&shapes, ray, *interval),
                 [],
                 "{kind:?}: {ray:?}"
             );

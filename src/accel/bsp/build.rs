@@ -1,15 +1,16 @@
-//! Growing the tree: one cell after the other gets a plane or becomes a leaf.
+//! BSP construction: one cell after the other gets a plane or becomes a leaf.
 
-use super::classify::{Item, Side, Splitter};
-use super::{Bsp, MAX_DEPTH, Node, sah};
-use crate::accel::slack::{Slack, conditioning};
+use super::classify::{Item, PlaneSide, Splitter};
+use super::{Bsp, BspNode, MAX_DEPTH, sah};
+use crate::accel::bounded::Primitives;
+use crate::accel::tolerance::Tolerance;
 use crate::geometry::{Aabb, Shape};
 use crate::math::rounding::UNIT_ROUNDOFF;
 
 /// How many references there are at most, for each primitive.
 const MAX_REFERENCES: usize = 8;
 
-/// How many polygons are asked for their plane, and how many are used to judge it.
+/// Polygons whose planes are tried, and items that a plane is judged by.
 const CANDIDATES: usize = 8;
 const JURY: usize = 96;
 
@@ -31,7 +32,7 @@ struct Task {
 struct Builder<'a> {
     shapes: &'a [Shape],
     tree: Bsp,
-    /// Whether the polygons' own planes are asked for.
+    /// Whether the polygons' own planes are tried.
     polygons: bool,
     /// Points closer to a polygon's plane than this are on it: 32 u times the largest coordinate bounds the error of
     /// n.p - d.
@@ -51,21 +52,14 @@ pub fn build(shapes: &[Shape], polygons: bool) -> Bsp {
 impl<'a> Builder<'a> {
     /// A tree without nodes, and the cell of all that will be in it.
     fn new(shapes: &'a [Shape], polygons: bool) -> (Self, Task) {
-        let (mut items, mut outside) = (Vec::with_capacity(shapes.len()), Vec::new());
-        let (mut reach, mut condition) = (0.0f64, 0.0f64);
-        for (id, shape) in shapes.iter().enumerate() {
-            let (r, c) = conditioning(shape);
-            let sharp = c <= Slack::MAX_CONDITION && r <= Slack::MAX_REACH;
-            match Item::whole(id as u32, shape) {
-                Some(item) if sharp => {
-                    reach = reach.max(r);
-                    condition = condition.max(c);
-                    items.push(item);
-                }
-                _ => outside.push(id as u32),
-            }
-        }
-        let bounds = sah::bounds_of(&items);
+        let Primitives {
+            bounded,
+            unbounded,
+            bounds,
+            tolerance,
+        } = Primitives::new(shapes, Tolerance::MAX_COORDINATE);
+        let whole = |id: u32| Item::whole(id, &shapes[id as usize]);
+        let items: Vec<Item> = bounded.into_iter().filter_map(whole).collect();
         let count = items.len();
         let builder = Self {
             shapes,
@@ -74,13 +68,12 @@ impl<'a> Builder<'a> {
                 nodes: Vec::new(),
                 normals: Vec::new(),
                 references: Vec::with_capacity(count),
-                outside,
-                slack: Slack::new(reach, condition),
+                unbounded,
+                tolerance,
                 depth: 0,
-                rounded: None,
             },
             polygons,
-            tolerance: 32.0 * UNIT_ROUNDOFF * reach,
+            tolerance: 32.0 * UNIT_ROUNDOFF * tolerance.max_coordinate,
             max_depth: (8 + 2 * count.max(1).ilog2()).min(MAX_DEPTH),
         };
         let root = Task {
@@ -111,22 +104,25 @@ impl<'a> Builder<'a> {
     /// The next node, with its references; a leaf as yet.
     fn push(&mut self, items: &[Item]) {
         let (first, count) = (self.tree.references.len() as u32, items.len() as u32);
-        self.tree.nodes.push(Node::leaf(first, count));
+        self.tree.nodes.push(BspNode::leaf(first, count));
         self.tree
             .references
             .extend(items.iter().map(|item| item.primitive));
     }
 
     /// The plane for a cell, and where it puts the items. `None`: the cell stays whole.
-    fn choose(&self, task: &Task) -> Option<(Splitter, Vec<Side>)> {
+    fn choose(&self, task: &Task) -> Option<(Splitter, Vec<PlaneSide>)> {
         if task.items.len() < 2 || task.depth >= self.max_depth {
             return None;
         }
         let plane = self
             .polygon_plane(&task.items)
             .or_else(|| sah::choose(&task.items, &task.cell))?;
-        let sides: Vec<Side> = task.items.iter().map(|item| plane.side(item)).collect();
-        let cut = sides.iter().filter(|&&side| side == Side::Both).count();
+        let sides: Vec<PlaneSide> = task.items.iter().map(|item| plane.side(item)).collect();
+        let cut = sides
+            .iter()
+            .filter(|&&side| side == PlaneSide::Both)
+            .count();
         (cut < sides.len() && cut <= task.spare).then_some((plane, sides))
     }
 
@@ -150,15 +146,15 @@ impl<'a> Builder<'a> {
     }
 
     /// Makes a node of the plane and of what lies on it; what lies behind and in front is left to do.
-    fn split(&mut self, task: Task, plane: &Splitter, sides: &[Side]) -> [Task; 2] {
+    fn split(&mut self, task: Task, plane: &Splitter, sides: &[PlaneSide]) -> [Task; 2] {
         let (before, mut on) = (task.items.len(), Vec::new());
         let (mut front, mut back) = (Vec::new(), Vec::new());
         for (item, side) in task.items.into_iter().zip(sides) {
             match side {
-                Side::On => on.push(item),
-                Side::Front => front.push(item),
-                Side::Back => back.push(item),
-                Side::Both => {
+                PlaneSide::On => on.push(item),
+                PlaneSide::Front => front.push(item),
+                PlaneSide::Back => back.push(item),
+                PlaneSide::Both => {
                     let [f, b] = plane.cut(item);
                     front.push(f);
                     back.push(b);
@@ -219,10 +215,10 @@ fn judge(plane: &Splitter, items: &[Item], area: f64) -> f64 {
     for item in every(items, JURY) {
         asked += 1.0;
         match plane.side(item) {
-            Side::On => on += 1.0,
-            Side::Front => add(&mut front, item),
-            Side::Back => add(&mut back, item),
-            Side::Both => {
+            PlaneSide::On => on += 1.0,
+            PlaneSide::Front => add(&mut front, item),
+            PlaneSide::Back => add(&mut back, item),
+            PlaneSide::Both => {
                 add(&mut front, item);
                 add(&mut back, item);
             }

@@ -1,4 +1,4 @@
-//! On which side of a plane something lies, and cutting what lies on both.
+//! Classification against a plane: on which side an item lies, and cutting what lies on both.
 
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
@@ -16,7 +16,7 @@ pub struct Item {
 
 /// Where something lies, as seen from a plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum PlaneSide {
     /// On it, within its tolerance.
     On,
     /// Where its normal points, or on it.
@@ -92,7 +92,7 @@ impl Splitter {
             tolerance,
             source: Some(primitive),
         };
-        (plane.side_of(&triangle.corners) == Side::On).then_some(plane)
+        (plane.side_of(&triangle.corners) == PlaneSide::On).then_some(plane)
     }
 
     /// The distance of a point, with sign.
@@ -104,9 +104,9 @@ impl Splitter {
     }
 
     /// Where an item lies. By its bounds it may seem to be on both sides when it is not: that is allowed.
-    pub fn side(&self, item: &Item) -> Side {
+    pub fn side(&self, item: &Item) -> PlaneSide {
         if self.source == Some(item.primitive) {
-            return Side::On;
+            return PlaneSide::On;
         }
         match (self.axis, item.corners.is_empty()) {
             // The corners' extent along an axis is that of the bounds.
@@ -120,7 +120,7 @@ impl Splitter {
     }
 
     /// Where the hull of some points lies. NaN is on both sides.
-    fn side_of(&self, points: &[DVec3]) -> Side {
+    fn side_of(&self, points: &[DVec3]) -> PlaneSide {
         let (mut front, mut back) = (true, true);
         for &p in points {
             let s = self.distance(p);
@@ -130,12 +130,12 @@ impl Splitter {
         Self::decide(front, back)
     }
 
-    fn decide(front: bool, back: bool) -> Side {
+    fn decide(front: bool, back: bool) -> PlaneSide {
         match (front, back) {
-            (true, true) => Side::On,
-            (true, false) => Side::Front,
-            (false, true) => Side::Back,
-            (false, false) => Side::Both,
+            (true, true) => PlaneSide::On,
+            (true, false) => PlaneSide::Front,
+            (false, true) => PlaneSide::Back,
+            (false, false) => PlaneSide::Both,
         }
     }
 
@@ -225,19 +225,19 @@ mod tests {
     fn touching_is_not_crossing() {
         let plane = Splitter::along(0, 1.0);
         let at = |x: [f64; 3]| plane.side(&item([[x[0], 0., 0.], [x[1], 1., 0.], [x[2], 0., 1.]]));
-        assert_eq!(at([1.0, 1.0, 1.0]), Side::On);
-        assert_eq!(at([1.0, 1.0, 2.0]), Side::Front);
-        assert_eq!(at([0.0, 0.5, 1.0]), Side::Back);
-        assert_eq!(at([0.0, 1.0, 1.0f64.next_up()]), Side::Both);
+        assert_eq!(at([1.0, 1.0, 1.0]), PlaneSide::On);
+        assert_eq!(at([1.0, 1.0, 2.0]), PlaneSide::Front);
+        assert_eq!(at([0.0, 0.5, 1.0]), PlaneSide::Back);
+        assert_eq!(at([0.0, 1.0, 1.0f64.next_up()]), PlaneSide::Both);
     }
 
     #[test]
     fn a_triangle_lies_on_its_own_plane_and_its_neighbour_does_not_cross_it() {
         let own = [[0.1, 0.2, 0.3], [1.7, 0.4, 0.9], [0.3, 1.1, -0.7]];
         let plane = Splitter::of_triangle(7, &shape(own), 1e-15).expect("it has area");
-        assert_eq!(plane.side(&item(own)), Side::On);
+        assert_eq!(plane.side(&item(own)), PlaneSide::On);
         let above = [own[0], own[1], [0.1, 0.2, 5.0]];
-        assert_ne!(plane.side(&item(above)), Side::Both);
+        assert_ne!(plane.side(&item(above)), PlaneSide::Both);
         assert!(Splitter::of_triangle(7, &shape([own[0], own[0], own[1]]), 1e-15).is_none());
     }
 
@@ -253,10 +253,10 @@ mod tests {
             source: None,
         };
         for plane in [Splitter::along(0, 0.9), Splitter::along(2, 0.0), skew] {
-            assert_eq!(plane.side(&whole), Side::Both);
+            assert_eq!(plane.side(&whole), PlaneSide::Both);
             let [front, back] = plane.cut(whole.clone());
-            assert_eq!(plane.side(&front), Side::Front);
-            assert_eq!(plane.side(&back), Side::Back);
+            assert_eq!(plane.side(&front), PlaneSide::Front);
+            assert_eq!(plane.side(&back), PlaneSide::Back);
             let sum = area(&front.corners) + area(&back.corners);
             let expected = area(&whole.corners);
             assert!((sum - expected).abs() < 1e-12 * expected);

@@ -1,4 +1,4 @@
-//! Planes along the axes, chosen by the surface area heuristic.
+//! Surface area heuristic (SAH) for planes along the axes.
 //!
 //! A ray that meets a convex cell meets a convex part of it with probability (area of the part) / (area of the cell),
 //! so the expected cost of a plane is C_step + (A_back n_back + A_front n_front) / A C_test.

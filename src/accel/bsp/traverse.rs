@@ -1,8 +1,9 @@
-//! Following a ray through the tree, front to back.
+//! BSP traversal, front to back.
 
-use super::{Bsp, LEAF, MAX_DEPTH, Node};
-use crate::accel::Query;
-use crate::geometry::Hit;
+use super::{Bsp, BspNode, LEAF, MAX_DEPTH};
+use crate::accel::collect::Collect;
+use crate::accel::query::Query;
+use crate::accel::volume::Volume;
 use crate::math::{DVec3, Interval, Ray};
 use crate::probe::{Choice, Event, NONE, Probe, Visit, tell};
 
@@ -23,11 +24,11 @@ pub struct Walker {
     /// 1 / direction.
     pub inverse: [f64; 3],
     /// How thick every plane is, on each side.
-    slack: f64,
+    tolerance: f64,
 }
 
 /// What a ray does at a node's plane.
-pub struct Crossing {
+pub struct PlaneCrossing {
     pub near: u32,
     pub far: u32,
     /// Whether the ray never gets there, and the part of it that does.
@@ -41,32 +42,16 @@ pub struct Crossing {
 }
 
 impl Bsp {
-    /// The closest hit.
-    pub fn closest<P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
-        self.search::<false, P>(query, probe)
-    }
-
-    /// The first hit that turns up.
-    pub fn any<P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
-        self.search::<true, P>(query, probe)
-    }
-
+    /// Follows a ray front to back, and tests what lies in the cells that it goes through.
     // Never inlined: so that a build with and one without probe calls differ in nothing else.
     #[inline(never)]
-    fn search<const ANY: bool, P: Probe>(&self, query: &Query, probe: &mut P) -> Option<Hit> {
-        let mut best = None;
-        if query.test_all::<ANY, P>(&self.outside, &mut best, probe) || self.nodes.is_empty() {
-            return best;
-        }
-        let slack = self.slack.around(query.ray.origin);
-        let bounds = self.bounds.padded(DVec3::splat(slack));
-        let Some(inside) = bounds.clip(&query.ray, query.interval) else {
-            if P::TRAVERSAL {
-                tell!(probe, ended(0, query.interval, Choice::SkippedOutside));
-            }
-            return best;
+    pub fn search<C: Collect, P: Probe>(&self, query: &Query, found: &mut C, probe: &mut P) {
+        let root = self.bounds().map(Volume::Box);
+        let entry = query.enter(&self.unbounded, root, &self.tolerance, found, probe);
+        let Some((tolerance, inside)) = entry else {
+            return;
         };
-        let walker = Walker::new(&query.ray, slack);
+        let walker = Walker::new(&query.ray, tolerance);
 
         // Each level of the tree leaves at most one far child behind.
         let root = Pending {
@@ -75,24 +60,24 @@ impl Bsp {
             inside,
         };
         let mut stack = [root; MAX_DEPTH as usize + 2];
-        let mut waiting = 1;
-        while waiting > 0 {
-            waiting -= 1;
-            let next = stack[waiting];
+        let mut count = 1;
+        while count > 0 {
+            count -= 1;
+            let next = stack[count];
             // A hit at the very entry does not count: one beyond it may be as close and have the smaller id.
-            if best.is_some_and(|hit| hit.t < next.inside.min) {
+            if found.closest().is_some_and(|hit| hit.t < next.inside.min) {
                 if P::TRAVERSAL {
                     tell!(
                         probe,
-                        ended(next.child, next.inside, Choice::SkippedCloserHit)
+                        Visit::end(next.child, next.inside, Choice::SkippedCloserHit)
                     );
                 }
                 continue;
             }
             if next.on != NONE {
                 let on = self.primitives(&self.nodes[next.on as usize]);
-                if query.test_all::<ANY, P>(on, &mut best, probe) {
-                    return best;
+                if query.test_all(on, found, probe) {
+                    return;
                 }
             }
             // Down to a leaf: the near child at once, the far one later.
@@ -107,12 +92,12 @@ impl Bsp {
                     tell!(probe, Event::Visit(crossing.visit(id, inside)));
                 }
                 if !crossing.near_missed && !crossing.far_missed {
-                    stack[waiting] = Pending {
+                    stack[count] = Pending {
                         on: if node.count > 0 { id } else { NONE },
                         child: crossing.far,
                         inside: crossing.far_part,
                     };
-                    waiting += 1;
+                    count += 1;
                 }
                 (id, inside) = if crossing.near_missed {
                     (crossing.far, crossing.far_part)
@@ -121,19 +106,18 @@ impl Bsp {
                 };
             };
             if P::TRAVERSAL {
-                tell!(probe, ended(id, inside, Choice::Leaf));
+                tell!(probe, Visit::end(id, inside, Choice::Leaf));
             }
-            if query.test_all::<ANY, P>(self.primitives(leaf), &mut best, probe) {
-                return best;
+            if query.test_all(self.primitives(leaf), found, probe) {
+                return;
             }
         }
-        best
     }
 
-    /// Which children the ray reaches inside a node, and where. Each child's side of the plane is grown by the slack.
+    /// Which children the ray reaches inside a node, and where. Each child's side of the plane is grown by the tolerance.
     /// NaN, from 0 times infinity, keeps a child in.
     #[inline]
-    fn cross(&self, walker: &Walker, id: u32, node: &Node, inside: Interval) -> Crossing {
+    fn cross(&self, walker: &Walker, id: u32, node: &BspNode, inside: Interval) -> PlaneCrossing {
         let (s, climb, inverse) = if node.plane < 3 {
             let axis = node.plane as usize;
             let s = walker.origin[axis] - node.d;
@@ -150,12 +134,12 @@ impl Bsp {
 
 impl Walker {
     /// A ray as the nodes ask for it.
-    pub fn new(ray: &Ray, slack: f64) -> Self {
+    pub fn new(ray: &Ray, tolerance: f64) -> Self {
         Self {
             origin: ray.origin.to_array(),
             direction: ray.direction.to_array(),
             inverse: ray.direction.recip().to_array(),
-            slack,
+            tolerance,
         }
     }
 
@@ -169,7 +153,7 @@ impl Walker {
         climb: f64,
         inverse: f64,
         inside: Interval,
-    ) -> Crossing {
+    ) -> PlaneCrossing {
         // Near is the side that the origin is on.
         let (near, far, height, speed, inverse) = if s >= 0.0 {
             (front, back, s, -climb, -inverse)
@@ -177,8 +161,8 @@ impl Walker {
             (back, front, -s, climb, inverse)
         };
         let Interval { min, max } = inside;
-        let t_above = (height - self.slack) * inverse;
-        let t_below = (height + self.slack) * inverse;
+        let t_above = (height - self.tolerance) * inverse;
+        let t_below = (height + self.tolerance) * inverse;
         let (near_missed, near_part, far_missed, far_part);
         if speed > 0.0 {
             // Towards the plane: near until it is left below, far once it is no longer above.
@@ -193,11 +177,11 @@ impl Walker {
             far_missed = if speed < 0.0 {
                 t_above < min
             } else {
-                height > self.slack
+                height > self.tolerance
             };
             far_part = Interval::new(min, if speed < 0.0 { max.min(t_above) } else { max });
         }
-        Crossing {
+        PlaneCrossing {
             near,
             far,
             near_missed,
@@ -210,7 +194,7 @@ impl Walker {
     }
 }
 
-impl Crossing {
+impl PlaneCrossing {
     /// The step in words, at a node that the ray is inside of for this interval.
     pub fn visit(&self, node: u32, inside: Interval) -> Visit {
         let t_split = self.height / self.speed;
@@ -231,16 +215,4 @@ impl Crossing {
             choice,
         }
     }
-}
-
-/// The step at a node that goes no further down.
-pub fn ended(node: u32, inside: Interval, choice: Choice) -> Event {
-    Event::Visit(Visit {
-        node,
-        interval: [inside.min, inside.max],
-        t_split: f64::NAN,
-        near: NONE,
-        far: NONE,
-        choice,
-    })
 }

@@ -2,10 +2,10 @@
 
 use super::{Bounds, EMPTY_BONUS, STEP, TEST};
 
-/// A bound of an item: where, of what kind and whose, in one number that sorts by these. At one place items end first,
+/// A bound of an item: its position, kind and item, in one number that sorts by these. At one position items end first,
 /// then come those that are flat, then others begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Event(u64);
+pub struct BoundEvent(u64);
 
 /// The kinds.
 const ENDS: u64 = 0;
@@ -15,7 +15,7 @@ const BEGINS: u64 = 2;
 /// Bits of an item's number.
 const ITEM: u32 = 30;
 
-impl Event {
+impl BoundEvent {
     /// Adds the one or two events of an item.
     #[inline]
     pub fn push(to: &mut Vec<Self>, item: usize, [min, max]: &Bounds, axis: usize) {
@@ -57,7 +57,7 @@ impl Event {
         (self.0 & ((1 << ITEM) - 1)) as usize
     }
 
-    /// The same bound of the same item by another number.
+    /// The bound with another number for its item.
     pub fn renumbered(self, item: u32) -> Self {
         Self(self.0 >> ITEM << ITEM | u64::from(item))
     }
@@ -111,7 +111,7 @@ impl Costs {
 }
 
 /// The best plane across an axis, of all where something begins or ends.
-pub fn sweep(events: &[Event], axis: usize, count: usize, cell: &Bounds) -> Option<Best> {
+pub fn sweep(events: &[BoundEvent], axis: usize, count: usize, cell: &Bounds) -> Option<Best> {
     let costs = Costs::new(axis, cell);
     let mut best: Option<Best> = None;
     let (mut behind, mut front, mut next) = (0, count, 0);
@@ -150,18 +150,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn events_sort_by_place_then_kind_and_keep_both() {
-        let places = [f32::MIN, -1.0, -0.0, 1e-40, 0.5, 2.0];
+    fn events_sort_by_position_then_kind_and_keep_both() {
+        let positions = [f32::MIN, -1.0, -0.0, 1e-40, 0.5, 2.0];
         let mut all = Vec::new();
-        for (i, &d) in places.iter().enumerate() {
+        for (i, &d) in positions.iter().enumerate() {
             for kind in [ENDS, FLAT, BEGINS] {
-                all.push(Event::new(d, kind, i));
+                all.push(BoundEvent::new(d, kind, i));
             }
         }
         assert!(all.is_sorted());
         let back = all.iter().map(|e| (e.d(), e.kind(), e.item()));
-        assert!(back.eq((0..places.len()).flat_map(|i| [0, 1, 2].map(|k| (places[i], k, i)))));
-        assert_eq!(Event::new(0.0, FLAT, 1), Event::new(-0.0, FLAT, 1));
+        assert!(
+            back.eq((0..positions.len()).flat_map(|i| [0, 1, 2].map(|k| (positions[i], k, i))))
+        );
+        assert_eq!(
+            BoundEvent::new(0.0, FLAT, 1),
+            BoundEvent::new(-0.0, FLAT, 1)
+        );
     }
 
     #[test]
@@ -169,7 +174,7 @@ mod tests {
         let items = [[0.0, 1.0], [3.0, 4.0]];
         let mut events = Vec::new();
         for (i, [min, max]) in items.into_iter().enumerate() {
-            Event::push(&mut events, i, &[[min; 3], [max; 3]], 0);
+            BoundEvent::push(&mut events, i, &[[min; 3], [max; 3]], 0);
         }
         events.sort_unstable();
         let best = sweep(&events, 0, 2, &[[0.0; 3], [4.0, 1.0, 1.0]]).expect("a plane");

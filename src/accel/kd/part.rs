@@ -1,8 +1,8 @@
 //! Parting a cell: which items go where, and the new bounds of those that are cut.
 
-use super::events::{Best, Event};
+use super::events::{Best, BoundEvent};
 use super::{Bounds, Cell, Item};
-use crate::accel::local::Frame;
+use crate::accel::fast::local_ray::UnitBox;
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 
@@ -13,7 +13,7 @@ const ROUNDED: f64 = 1.0 / (1 << 22) as f64;
 /// What clipping needs to know.
 pub struct Clip<'a> {
     pub shapes: &'a [Shape],
-    pub frame: &'a Frame,
+    pub unit_box: &'a UnitBox,
 }
 
 impl Clip<'_> {
@@ -22,7 +22,7 @@ impl Clip<'_> {
         let bounds = self.shapes[primitive as usize]
             .bounds()
             .unwrap_or(Aabb::EMPTY);
-        let corner = |p: DVec3| self.frame.inside(p).to_array().map(|x| x as f32);
+        let corner = |p: DVec3| self.unit_box.to_local(p).to_array().map(|x| x as f32);
         Item {
             primitive,
             bounds: [corner(bounds.min), corner(bounds.max)],
@@ -37,7 +37,7 @@ impl Clip<'_> {
         // A triangle cut by six planes has at most nine corners.
         let mut corners = ([DVec3::ZERO; 10], 3);
         for (to, from) in corners.0.iter_mut().zip(triangle.corners) {
-            *to = self.frame.inside(from);
+            *to = self.unit_box.to_local(from);
         }
         for axis in 0..3 {
             let (low, high) = (f64::from(min[axis]), f64::from(max[axis]));
@@ -134,12 +134,12 @@ pub fn part(clip: &Clip, cell: Cell, plane: &Best) -> [Cell; 2] {
         }
     }
 
-    let mut lists: [[Vec<Event>; 3]; 2] = Default::default();
+    let mut lists: [[Vec<BoundEvent>; 3]; 2] = Default::default();
     for (k, list) in events.into_iter().enumerate() {
         for side in 0..2 {
             let mut new = Vec::new();
             for (i, item) in sides[side].iter().enumerate().skip(uncut[side]) {
-                Event::push(&mut new, i, &item.bounds, k);
+                BoundEvent::push(&mut new, i, &item.bounds, k);
             }
             new.sort_unstable();
             let old = list.iter().filter_map(|event| {
@@ -160,8 +160,12 @@ pub fn part(clip: &Clip, cell: Cell, plane: &Best) -> [Cell; 2] {
 }
 
 /// Two sorted lists in one.
-fn merged(old: impl Iterator<Item = Event>, new: &[Event], room: usize) -> Vec<Event> {
-    let mut all = Vec::with_capacity(room);
+fn merged(
+    old: impl Iterator<Item = BoundEvent>,
+    new: &[BoundEvent],
+    scratch: usize,
+) -> Vec<BoundEvent> {
+    let mut all = Vec::with_capacity(scratch);
     let mut new = new.iter().copied().peekable();
     for event in old {
         while let Some(earlier) = new.next_if(|n| *n < event) {

@@ -10,8 +10,8 @@ use rayon::prelude::*;
 use super::events::{Best, Costs};
 use super::part::Clip;
 use super::{Bounds, Cell, Item, grow, share, worthwhile};
-use crate::accel::Watch;
-use crate::accel::planes::{Node, Tree};
+use crate::accel::fast::compact::{CompactNode, Tree};
+use crate::accel::inspect::Progress;
 
 /// Primitives of a cell whose plane is the best of all.
 const PART: usize = 1 << 12;
@@ -34,13 +34,13 @@ pub struct Task {
 }
 
 /// The tree of a scene.
-pub fn tree(clip: &Clip, whole: Task, watch: Watch) -> Tree {
+pub fn tree(clip: &Clip, whole: Task, progress: Progress) -> Tree {
     let mut tree = Tree {
-        nodes: vec![Node::leaf(0, 0)],
+        nodes: vec![CompactNode::leaf(0, 0)],
         ..Tree::default()
     };
     if whole.primitives.len() > PART {
-        // Room for what most scenes need: memory that is never touched costs nothing, and lists that grow leave holes.
+        // Enough for most scenes: memory that is never touched costs nothing, and lists that grow leave holes.
         tree.nodes.reserve(8 * whole.primitives.len());
         tree.references.reserve(8 * whole.primitives.len());
     }
@@ -60,7 +60,7 @@ pub fn tree(clip: &Clip, whole: Task, watch: Watch) -> Tree {
         for (place, below) in grown.collect::<Vec<_>>() {
             tree.graft(place, below);
         }
-        watch(1.0 - parts.len() as f64 / total as f64);
+        progress(1.0 - parts.len() as f64 / total as f64);
     }
     tree
 }
@@ -88,8 +88,8 @@ fn part(clip: &Clip, tree: &mut Tree, task: Task, parts: &mut Vec<Task>) {
     let spares = share(task.spare, whole, [behind.len(), front.len()]);
     let [mut low, mut high] = [task.bounds; 2];
     (low[1][axis], high[0][axis]) = (d, d);
-    let children = tree.pair();
-    tree.nodes[task.place] = Node::along(axis, d, children);
+    let children = tree.push_children();
+    tree.nodes[task.place] = CompactNode::along(axis, d, children);
     drop(task);
     for (k, (primitives, bounds)) in [(behind, low), (front, high)].into_iter().enumerate() {
         let half = Task {

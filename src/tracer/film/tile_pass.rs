@@ -98,7 +98,7 @@ fn begin<P: Probe>(tracer: &mut Tracer<P>, tile: Tile) -> Vec<PixelEstimator> {
 /// sample, if that is quicker.
 fn run_all<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator]) {
     let (world, settings) = (tracer.world, tracer.settings);
-    if !world.accel.gains_from_bundles() {
+    if !world.accel.gains_from_packets() {
         return pixels.iter_mut().for_each(|pixel| pixel.run(tracer));
     }
     let mut batch = TileBatch::default();

@@ -66,7 +66,7 @@ fn who_waits_is_told_how_far_it_is() {
     let shapes = mixed(&mut Random(3));
     for kind in IN_PARTS {
         let told = Mutex::new(vec![0.0]);
-        Accel::build_watched(kind, &shapes, &|done| told.lock().unwrap().push(done));
+        Accel::build_with_progress(kind, &shapes, &|done| told.lock().unwrap().push(done));
         let told = told.into_inner().unwrap();
         assert!(told.len() > 1 && told.is_sorted(), "{kind:?}: {told:?}");
         assert!(told.last().is_some_and(|done| *done <= 1.0));

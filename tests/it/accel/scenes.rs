@@ -1,7 +1,7 @@
 //! Scenes and rays by chance, of the kinds that trees find hard: what lies in planes, on grids, on top of each other.
 
 use glam::{DAffine3, DQuat};
-use raytree::geometry::{Aabb, Cuboid, Disc, Placed, Plane, Shape, Sphere, Triangle};
+use raytree::geometry::{Aabb, Cuboid, Disc, Plane, Shape, Sphere, Transformed, Triangle};
 use raytree::math::{DVec3, Interval, Ray, Transform};
 
 use crate::random::Random;
@@ -119,7 +119,7 @@ pub fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
             let turn = DQuat::from_axis_angle(random.direction(), 3.0 * random.unit());
             let to_world = DAffine3::from_scale_rotation_translation(size * stretch, turn, center);
             let transform = Transform::new(to_world).expect("it can be undone");
-            Shape::Placed(Box::new(Placed {
+            Shape::Transformed(Box::new(Transformed {
                 shape: local,
                 transform,
             }))

@@ -16,7 +16,7 @@ pub const LAYERS: [&str; 14] = [
 pub const FACES: [&str; 2] = ["cli", "tui"];
 
 /// The one file that may be `unsafe`: it calls what was compiled for the instructions that it found.
-const UNSAFE: &str = "accel/simd/x86.rs";
+const UNSAFE: &str = "accel/fast/simd/x86.rs";
 
 /// A file of more lines holds more than one concept.
 const LONGEST_FILE: usize = 450;

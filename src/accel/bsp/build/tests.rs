@@ -34,7 +34,7 @@ fn fragments(shapes: &[Shape], polygons: bool) -> Vec<Fragment> {
             .items
             .iter()
             .zip(&sides)
-            .filter(|(_, side)| **side == Side::On);
+            .filter(|(_, side)| **side == PlaneSide::On);
         on.for_each(|(item, _)| keep(item));
         let [back, front] = builder.split(task, &plane, &sides);
         for (child, is_front) in [(back, false), (front, true)] {
@@ -130,6 +130,6 @@ fn a_polygon_a_float_over_a_plane_is_not_on_both_sides() {
         let corners = [at(over, 0), at(1.0, 1), at(-1.0, 2)];
         let shape = Shape::Triangle(Triangle { corners });
         let item = Item::whole(1, &shape).expect("it has an end");
-        assert_ne!(plane.side(&item), Side::Both, "{corners:?}");
+        assert_ne!(plane.side(&item), PlaneSide::Both, "{corners:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! Shapes in the world: those that keep their kind are carried there, the others are tested in their own space.
 
-use crate::geometry::{Aabb, Cuboid, Disc, Placed, Plane, Shape, Sphere};
+use crate::geometry::{Aabb, Cuboid, Disc, Plane, Shape, Sphere, Transformed};
 use crate::math::{DVec3, Transform};
 
 /// Shape in the world. `turn_shows` tells that its surface coordinates can be seen, so that a turn matters.
@@ -53,7 +53,7 @@ fn cuboid(bounds: Aabb, map: &Transform) -> Shape {
 }
 
 fn placed(shape: Shape, transform: &Transform) -> Shape {
-    Shape::Placed(Box::new(Placed {
+    Shape::Transformed(Box::new(Transformed {
         shape,
         transform: *transform,
     }))
@@ -88,13 +88,16 @@ mod tests {
         };
         assert_eq!((s.center, s.radius), (DVec3::X * 2.0, 2.0));
         let stretched = map(DAffine3::from_scale(DVec3::new(1.0, 2.0, 1.0)));
-        assert!(matches!(sphere(unit, &stretched, false), Shape::Placed(_)));
+        assert!(matches!(
+            sphere(unit, &stretched, false),
+            Shape::Transformed(_)
+        ));
         let turned = map(DAffine3::from_rotation_y(1.0));
         assert!(matches!(sphere(unit, &turned, false), Shape::Sphere(_)));
-        assert!(matches!(sphere(unit, &turned, true), Shape::Placed(_)));
+        assert!(matches!(sphere(unit, &turned, true), Shape::Transformed(_)));
 
         let bounds = Aabb::around([DVec3::ZERO, DVec3::ONE]);
-        assert!(matches!(cuboid(bounds, &turned), Shape::Placed(_)));
+        assert!(matches!(cuboid(bounds, &turned), Shape::Transformed(_)));
         let flipped = map(DAffine3::from_scale(DVec3::new(-2.0, 1.0, 1.0)));
         let Shape::Cuboid(c) = cuboid(bounds, &flipped) else {
             panic!("along the axes")

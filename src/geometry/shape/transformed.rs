@@ -1,0 +1,49 @@
+//! A shape that was turned, stretched or moved: it is tested in its own space.
+
+use super::{Aabb, Intersection, Shape, Shear, SurfacePoint};
+use crate::math::{DVec3, Interval, Ray, Transform};
+
+/// A shape in its own space, and the way from there into the world.
+#[derive(Clone, Debug)]
+pub struct Transformed {
+    /// The shape in object space.
+    pub shape: Shape,
+    /// Object space to world space.
+    pub transform: Transform,
+}
+
+impl Transformed {
+    /// See [`Shape::intersect`]: t means the same in both spaces.
+    #[inline(always)]
+    pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
+        let ray = self.transform.ray_to_object(ray);
+        self.shape.intersect(&ray, &Shear::new(&ray), interval)
+    }
+
+    /// See [`Shape::enters`].
+    pub fn enters(&self, ray: &Ray, t: f64) -> Option<bool> {
+        let ray = self.transform.ray_to_object(ray);
+        self.shape.enters(&ray, &Shear::new(&ray), t)
+    }
+
+    /// The point at `t`. The next test takes the way back as well: the inverse is only known as well as the transform is
+    /// conditioned, and a turn brings the error of each axis to all others.
+    pub fn surface(&self, ray: &Ray, t: f64, barycentric: [f64; 3]) -> SurfacePoint {
+        let ray = self.transform.ray_to_object(ray);
+        let local = self.shape.surface(&ray, t, barycentric);
+        let error = self.transform.point_error(local.point, local.error);
+        let there_and_back = 1.0 + 2.0 * self.transform.condition();
+        SurfacePoint {
+            point: self.transform.point(local.point),
+            error: DVec3::splat(there_and_back * error.max_element()),
+            normal: self.transform.normal(local.normal),
+            uv: local.uv,
+        }
+    }
+
+    /// The box around the shape; `None` if it is endless.
+    pub fn bounds(&self) -> Option<Aabb> {
+        let bounds = self.shape.bounds()?;
+        Some(bounds.transformed(&self.transform))
+    }
+}
