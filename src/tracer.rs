@@ -10,7 +10,7 @@ pub mod light_sampler;
 pub mod path_id;
 pub mod pixel;
 pub mod shadow_batch;
-mod tell;
+mod state;
 pub mod tile;
 pub mod tile_batch;
 pub mod whitted;

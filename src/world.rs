@@ -15,7 +15,7 @@ use contact::contacts;
 use medium::medium;
 
 pub use contact::Contact;
-pub use interface::{Interface, NextHit};
+pub use interface::{Found, Interface, NextHit};
 pub use medium::{Crossing, OpenMedia};
 pub use ray_budget::RayBudget;
 

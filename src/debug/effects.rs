@@ -1,7 +1,7 @@
 //! Effects that the user switches, and the remark about everything that is not computed as usual.
 
-use crate::scene::Settings;
 use crate::scene::Effects;
+use crate::scene::Settings;
 use crate::scene::effects::Finding;
 
 /// The effects with one switched; an error if the scene does not call for it, so that it could change nothing.

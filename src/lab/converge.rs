@@ -7,8 +7,8 @@
 
 use std::time::Instant;
 
-use crate::sampling::Sampler;
 use crate::probe::Silent;
+use crate::sampling::Sampler;
 use crate::scene::{Settings, limits};
 use crate::tracer::{Film, Flow, render};
 use crate::world::World;

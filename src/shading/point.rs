@@ -106,7 +106,7 @@ impl<'a> ShadingPoint<'a> {
     }
 
     /// Split of the light where the index of refraction changes from `n1` to `n2`.
-    pub fn split(&self, model: Fresnel, n1: f64, n2: f64) -> FresnelSplit {
+    pub fn split(&self, model: Fresnel, [n1, n2]: [f64; 2]) -> FresnelSplit {
         let (normal, to_viewer) = (self.at.normal, self.at.to_viewer);
         let refracted = refract(-to_viewer, normal, n1, n2);
         let reflectance = refracted.map_or(1.0, |t| {

@@ -4,162 +4,86 @@
 //! to a light that has an area.
 
 use super::light_sampler::{LightSampler, ShadowRay};
-use super::shadow_batch::Prefetched;
-use super::tile_batch::PixelBatch;
-use super::whitted::{Path, Tracer};
+use super::shadow_batch::ShadowRays;
+use super::state::{Path, Tracer};
 use crate::math::Rgb;
-use crate::probe::{Absence, Event, Probe, RayKind, RayRecord, tell};
-use crate::shading::Effect;
-use crate::shading::ShadingPoint;
-
-/// Shadow rays from a point to a light.
-enum ShadowRays<'a> {
-    /// Sampled and traced one after the other.
-    OneByOne(LightSampler<'a>),
-    /// Sampled and traced together with others, before.
-    Prefetched(&'a [Prefetched]),
-}
+use crate::probe::{Absence, Probe, RayKind};
+use crate::shading::{Effect, ShadingPoint};
 
 impl<P: Probe> Tracer<'_, P> {
-    /// Adds what all lights add at a point.
+    /// Adds the light that arrives at a point. `is_first`: it is the closest hit of its ray, of which something may be prefetched.
+    #[inline]
     pub(super) fn direct_light(
         &mut self,
         sum: &mut Rgb,
         point: &ShadingPoint,
         path: &Path,
-        prefetched: Option<PixelBatch>,
+        is_first: bool,
     ) {
+        let prefetched = path.prefetched.filter(|_| is_first);
         for light in 0..self.world.scene.lights.len() as u32 {
             if let Some(rays) = prefetched.and_then(|pixel| pixel.shadow_rays(light)) {
-                let count = rays.len() as u32;
-                self.light(
+                self.add_light(
                     sum,
                     point,
                     path,
-                    (light, count),
-                    &ShadowRays::Prefetched(rays),
+                    light,
+                    &ShadowRays::Prefetched(rays, rays.len() as u32),
                 );
                 continue;
             }
-            let scene = &self.world.scene;
-            let sampler = LightSampler::new(scene, self.settings, point, (path.id, light));
-            let count = sampler.count;
-            if count == 1 {
-                self.light(
-                    sum,
-                    point,
-                    path,
-                    (light, count),
-                    &ShadowRays::OneByOne(sampler),
-                );
+            let id = (path.id, light);
+            let sampler = LightSampler::new(&self.world.scene, self.settings, point, id);
+            if sampler.count == 1 {
+                self.add_light(sum, point, path, light, &ShadowRays::OneByOne(&sampler));
             } else {
-                self.many_samples(sum, point, path, light, sampler);
+                self.add_area_light(sum, point, path, light, sampler);
             }
         }
     }
 
-    /// Adds a light that has many samples: traced together if the probe is silent. (Never inlined, so that scenes without area
-    /// lights pay nothing for it.)
-    #[inline(never)]
-    fn many_samples(
+    /// Adds a light: for each of its samples whose shadow ray arrives, the diffuse and the specular term.
+    #[inline]
+    pub(super) fn add_light(
         &mut self,
         sum: &mut Rgb,
         point: &ShadingPoint,
         path: &Path,
         light: u32,
-        sampler: LightSampler,
-    ) {
-        let samples = sampler.count;
-        tell!(self.probe, Event::LightSamples { light, samples });
-        if P::LISTENS || !self.settings.effects.has(Effect::Shadows) {
-            let rays = ShadowRays::OneByOne(sampler);
-            return self.light(sum, point, path, (light, samples), &rays);
-        }
-        let mut batch = std::mem::take(&mut self.shadow_batch);
-        batch.clear();
-        batch.sample(&sampler, self.rays.left().min(u64::from(samples)) as u32);
-        batch.trace(self.world, true);
-        let rays = ShadowRays::Prefetched(batch.prefetched());
-        self.light(sum, point, path, (light, samples), &rays);
-        self.shadow_batch = batch;
-    }
-
-    /// Adds one light: for each of its samples whose shadow ray arrives, the diffuse and the specular term.
-    #[inline]
-    fn light(
-        &mut self,
-        sum: &mut Rgb,
-        point: &ShadingPoint,
-        path: &Path,
-        (light, count): (u32, u32),
         rays: &ShadowRays,
     ) {
         let casts_shadows = self.settings.effects.has(Effect::Shadows);
-        for sample in 0..count {
+        for sample in 0..rays.count() {
             if self.rays.is_spent() {
                 return self.absent(RayKind::Light, light, Absence::RayBudget);
             }
-            let shadow_ray = match rays {
-                ShadowRays::OneByOne(sampler) => &sampler.shadow_ray(sample),
-                ShadowRays::Prefetched(rays) => &rays[sample as usize].ray,
-            };
-            self.rays.light_sample(casts_shadows && shadow_ray.is_ok());
-            let ray = match shadow_ray {
-                Ok(ray) => ray,
-                Err(reason) => {
-                    self.absent(RayKind::Light, light, *reason);
-                    continue;
+            let mut slot = None;
+            let (ray, known) = rays.get(sample, &mut slot);
+            self.rays.light_sample(casts_shadows && ray.is_ok());
+            match ray {
+                Err(reason) => self.absent(RayKind::Light, light, *reason),
+                Ok(ray) => {
+                    if !known.unwrap_or_else(|| self.is_occluded(path, ray, (light, sample))) {
+                        point.eval(&ray.light, ray.n_dot_l, |term| {
+                            self.add_term(sum, term, (light, sample))
+                        });
+                    }
                 }
-            };
-            let occluded = match rays {
-                ShadowRays::OneByOne(_) => self.is_occluded(path, (light, sample), ray),
-                ShadowRays::Prefetched(rays) => rays[sample as usize].occluded,
-            };
-            if !occluded {
-                point.eval(&ray.light, ray.n_dot_l, |term| {
-                    self.add_light(sum, term, (light, sample));
-                });
             }
         }
     }
 
     /// Sends a shadow ray: true if anything is in its way. Transparent objects are, too.
     #[inline]
-    fn is_occluded(
-        &mut self,
-        path: &Path,
-        (light, sample): (u32, u32),
-        shadow: &ShadowRay,
-    ) -> bool {
+    fn is_occluded(&mut self, path: &Path, shadow: &ShadowRay, light: (u32, u32)) -> bool {
         if !self.settings.effects.has(Effect::Shadows) {
-            self.absent(RayKind::Light, light, Absence::EffectOff);
+            self.absent(RayKind::Light, light.0, Absence::EffectOff);
             return false;
         }
-        let ShadowRay {
-            ray, light: seen, ..
-        } = shadow;
-        tell!(
-            self.probe,
-            Event::Ray(RayRecord {
-                kind: RayKind::Light,
-                sample: sample as u16,
-                depth: path.depth + 1,
-                light,
-                medium: path.medium,
-                origin: ray.origin,
-                direction: ray.direction,
-                t_max: seen.distance,
-                weight: Rgb::WHITE,
-            })
-        );
-        let occluder = self.world.occluder(ray, seen.distance, self.probe);
-        tell!(self.probe, occluder.map_or(Event::Lit, Event::Blocked));
-        tell!(
-            self.probe,
-            Event::Return {
-                radiance: Rgb::BLACK
-            }
-        );
+        self.tell_shadow_ray(path, shadow, light);
+        let distance = shadow.light.distance;
+        let occluder = self.world.occluder(&shadow.ray, distance, self.probe);
+        self.tell_occluder(occluder);
         occluder.is_some()
     }
 }

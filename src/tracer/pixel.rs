@@ -9,7 +9,7 @@ pub mod estimate;
 pub mod estimator;
 pub mod weights;
 
-use super::whitted::Tracer;
+use super::state::Tracer;
 use crate::probe::Probe;
 use crate::scene::Settings;
 use crate::world::World;

@@ -1,9 +1,11 @@
 //! Shadow-ray batch: rays to one light that are traced together, those to an area sorted by direction (Morton order).
 
 use super::light_sampler::{LightSampler, ShadowRay};
+use super::state::{Path, Tracer};
 use crate::accel::PACKET_SIZE;
-use crate::math::{DVec3, Interval, Ray};
-use crate::probe::Absence;
+use crate::math::{DVec3, Interval, Ray, Rgb};
+use crate::probe::{Absence, Event, Probe, tell};
+use crate::shading::{Effect, ShadingPoint};
 use crate::world::World;
 
 /// Rays that are sorted together: more would start too far from each other.
@@ -22,6 +24,69 @@ pub struct Prefetched {
     pub ray: Result<ShadowRay, Absence>,
     /// True if something is in its way.
     pub occluded: bool,
+}
+
+/// Shadow rays from a point to a light.
+pub enum ShadowRays<'a> {
+    /// Sampled, and to be traced, one after the other.
+    OneByOne(&'a LightSampler<'a>),
+    /// Sampled and traced together with others, before; and how many there are to be. (Less are prefetched where the budget of
+    /// rays has an end.)
+    Prefetched(&'a [Prefetched], u32),
+}
+
+impl ShadowRays<'_> {
+    /// Number of samples of the light.
+    pub fn count(&self) -> u32 {
+        match self {
+            Self::OneByOne(sampler) => sampler.count,
+            Self::Prefetched(_, count) => *count,
+        }
+    }
+
+    /// Shadow ray number `sample`, or why none is sent, and whether something is in its way, if that is known. A ray that has
+    /// not been sampled yet is put into `slot`.
+    #[inline(always)]
+    pub fn get<'s>(
+        &'s self,
+        sample: u32,
+        slot: &'s mut Option<Result<ShadowRay, Absence>>,
+    ) -> (&'s Result<ShadowRay, Absence>, Option<bool>) {
+        match self {
+            Self::OneByOne(sampler) => (slot.insert(sampler.shadow_ray(sample)), None),
+            Self::Prefetched(rays, _) => {
+                let Prefetched { ray, occluded } = &rays[sample as usize];
+                (ray, Some(*occluded))
+            }
+        }
+    }
+}
+
+impl<P: Probe> Tracer<'_, P> {
+    /// Adds a light that has many samples, traced together if the probe is silent. (Never inlined, so that scenes without area
+    /// lights pay nothing for it.)
+    #[inline(never)]
+    pub(super) fn add_area_light(
+        &mut self,
+        sum: &mut Rgb,
+        point: &ShadingPoint,
+        path: &Path,
+        light: u32,
+        sampler: LightSampler,
+    ) {
+        let samples = sampler.count;
+        tell!(self.probe, Event::LightSamples { light, samples });
+        if P::LISTENS || !self.settings.effects.has(Effect::Shadows) {
+            return self.add_light(sum, point, path, light, &ShadowRays::OneByOne(&sampler));
+        }
+        let mut batch = std::mem::take(&mut self.shadow_batch);
+        batch.clear();
+        batch.sample(&sampler, self.rays.left().min(u64::from(samples)) as u32);
+        batch.trace(self.world, true);
+        let rays = ShadowRays::Prefetched(batch.prefetched(), samples);
+        self.add_light(sum, point, path, light, &rays);
+        self.shadow_batch = batch;
+    }
 }
 
 /// Shadow rays that are traced together; memory that is used again and again.

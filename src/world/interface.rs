@@ -15,15 +15,33 @@ use crate::shading::Interaction;
 
 /// Next hit of a ray where light changes.
 #[derive(Clone, Copy, Debug)]
-pub struct NextHit {
+pub struct NextHit<'f> {
     /// The hit.
-    pub hit: Hit,
+    pub hit: &'f Hit,
     /// Its point.
-    pub at: Interaction,
+    pub at: &'f Interaction,
     /// The media, if the surface is transparent.
-    pub interface: Option<Interface>,
+    pub interface: Option<&'f Interface>,
     /// True if it is the closest hit of the ray as it was found, and nothing touches it.
     pub is_first: bool,
+}
+
+/// Memory for what a ray meets.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// The closest hit.
+    pub closest: Option<(Hit, Interaction)>,
+    /// The surface that counts, where media are involved.
+    pub surface: Option<Surface>,
+}
+
+/// Surface among media.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    hit: Hit,
+    at: Interaction,
+    interface: Option<Interface>,
+    is_first: bool,
 }
 
 /// Media on both sides of a transparent surface.
@@ -39,8 +57,6 @@ pub struct Interface {
 
 /// What a ray crosses at one point.
 struct Crossed {
-    /// The surface that counts: an opaque one if there is one, then that of the highest priority, then of the smallest id.
-    surface: NextHit,
     /// t of the last surface that is crossed.
     end: f64,
     media: [u32; 2],
@@ -48,45 +64,63 @@ struct Crossed {
 }
 
 impl World {
+    /// Closest hit of a ray, and its point.
+    #[inline]
+    pub fn closest_point<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<(Hit, Interaction)> {
+        let hit = self.closest(ray, 0.0, probe)?;
+        Some((hit, self.scene.interaction(ray, &hit)))
+    }
+
     /// Next interface of a ray that is inside the open objects `media`, from its closest hit on; `None` if it leaves the scene.
     ///
-    /// Surfaces that change nothing are passed and told of; each costs as much as a ray and counts as one.
-    #[inline]
-    pub fn next_interface<P: Probe>(
+    /// Surfaces that change nothing are passed and told of; each costs as much as a ray and counts as one. `found` is memory
+    /// for the result.
+    #[inline(always)]
+    pub fn next_interface<'f, P: Probe>(
         &self,
         ray: &Ray,
-        (hit, at): (&Hit, &Interaction),
-        media: &mut OpenMedia,
+        (hit, at): (&'f Hit, &'f Interaction),
+        found: &'f mut Option<Surface>,
+        (media, scratch): (&mut OpenMedia, &mut Scratch),
         rays: &mut RayBudget,
-        scratch: &mut Scratch,
         probe: &mut P,
-    ) -> Option<NextHit> {
-        let closest = NextHit {
+    ) -> Option<NextHit<'f>> {
+        if self.contact(hit.primitive) == Contact::None {
+            return Some(NextHit {
+                hit,
+                at,
+                interface: None,
+                is_first: true,
+            });
+        }
+        let surface = found.insert(Surface {
             hit: *hit,
             at: *at,
             interface: None,
             is_first: true,
-        };
-        if self.contact(hit.primitive) == Contact::None {
-            return Some(closest);
-        }
-        self.interface_from(ray, closest, media, rays, scratch, probe)
+        });
+        let is_there = self.find_interface(ray, surface, (media, scratch), rays, probe);
+        is_there.then_some(NextHit {
+            hit: &surface.hit,
+            at: &surface.at,
+            interface: surface.interface.as_ref(),
+            is_first: surface.is_first,
+        })
     }
 
-    /// Next interface where media are involved. (Never inlined, so that scenes without media pay nothing for it.)
+    /// Moves from the closest hit to the next interface; false if the ray leaves the scene. (Never inlined, so that scenes
+    /// without media pay nothing for it.)
     #[inline(never)]
-    fn interface_from<P: Probe>(
+    fn find_interface<P: Probe>(
         &self,
         ray: &Ray,
-        mut surface: NextHit,
-        media: &mut OpenMedia,
+        surface: &mut Surface,
+        (media, scratch): (&mut OpenMedia, &mut Scratch),
         rays: &mut RayBudget,
-        scratch: &mut Scratch,
         probe: &mut P,
-    ) -> Option<NextHit> {
+    ) -> bool {
         while self.contact(surface.hit.primitive) != Contact::None {
-            let crossed = self.cross(ray, &surface, *media, scratch);
-            surface = crossed.surface;
+            let crossed = self.cross(ray, surface, *media, scratch);
             if !self.is_transmissive(surface.hit.primitive) {
                 break;
             }
@@ -109,24 +143,28 @@ impl World {
             );
             rays.ray();
             *media = crossed.beyond;
-            surface.hit = self.closest(ray, crossed.end, probe)?;
+            let Some(hit) = self.closest(ray, crossed.end, probe) else {
+                return false;
+            };
+            surface.hit = hit;
             surface.at = self.scene.interaction(ray, &surface.hit);
             surface.is_first = false;
         }
-        Some(surface)
+        true
     }
 
-    /// What `ray` crosses at its closest `surface`, together with all that touches it.
+    /// What `ray` crosses at its closest `surface`, together with all that touches it; moves to the surface that counts: an
+    /// opaque one if there is one, then that of the highest priority, then of the smallest id.
     fn cross(
         &self,
         ray: &Ray,
-        surface: &NextHit,
+        surface: &mut Surface,
         media: OpenMedia,
         scratch: &mut Scratch,
     ) -> Crossed {
-        let (hit, at) = (&surface.hit, &surface.at);
-        let ahead = self.crossings_from(ray, hit, scratch);
-        let (crossed, rest) = ahead.split_at(self.coincident(ray, ahead, hit, at));
+        let hit = surface.hit;
+        let ahead = self.crossings_from(ray, &hit, scratch);
+        let (crossed, rest) = ahead.split_at(self.coincident(ray, ahead, &hit, &surface.at));
         let beyond = crossed
             .iter()
             .fold(media, |inside, crossing| match crossing.enters {
@@ -135,12 +173,10 @@ impl World {
                 _ => inside,
             });
         let is_medium = |c: &Crossing| self.is_transmissive(c.hit.primitive);
-        let mut surface = *surface;
         if crossed.len() > 1 && crossed.iter().any(is_medium) {
-            self.move_to_highest_priority(ray, crossed, &mut surface);
+            self.move_to_highest_priority(ray, crossed, surface);
         }
         Crossed {
-            surface,
             end: crossed.last().map_or(hit.t, |last| last.hit.t),
             media: [self.medium(&media, ahead), self.medium(&beyond, rest)],
             beyond,
@@ -149,7 +185,7 @@ impl World {
 
     /// Moves to the surface that counts, of many. The error of its point covers all of them, so that rays that leave it are
     /// clear of all.
-    fn move_to_highest_priority(&self, ray: &Ray, crossed: &[Crossing], surface: &mut NextHit) {
+    fn move_to_highest_priority(&self, ray: &Ray, crossed: &[Crossing], surface: &mut Surface) {
         let scene = &self.scene;
         let rank = |crossing: &&Crossing| {
             let opaque = !self.is_transmissive(crossing.hit.primitive);

@@ -1,8 +1,8 @@
 //! The eye in impossible places, and pictures that may not depend on who computes them.
 
 use raytree::accel::AccelKind;
-use raytree::sampling::Sampler;
 use raytree::probe::Silent;
+use raytree::sampling::Sampler;
 use raytree::scene::{Settings, load};
 use raytree::trace::trace_pixel;
 use raytree::tracer::{Flow, render};

@@ -4,8 +4,8 @@
 //! can do and a kd-tree cannot.
 
 use super::builder::{SceneBuilder, matt};
-use crate::sampling::stream::{splitmix64, to_unit_f64};
 use crate::math::{DVec3, Rgb};
+use crate::sampling::stream::{splitmix64, to_unit_f64};
 use crate::scene::{Camera, Scene, Settings};
 use crate::shading::Material;
 

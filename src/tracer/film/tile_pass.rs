@@ -4,9 +4,9 @@ use super::buffer::Film;
 use crate::probe::{Probe, Silent};
 use crate::scene::Settings;
 use crate::tracer::pixel::PixelEstimator;
+use crate::tracer::state::Tracer;
 use crate::tracer::tile::Tile;
 use crate::tracer::tile_batch::TileBatch;
-use crate::tracer::whitted::Tracer;
 use crate::world::World;
 
 /// A tile that was rendered, or left out.

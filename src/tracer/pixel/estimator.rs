@@ -8,9 +8,9 @@ use crate::math::{Ray, Rgb};
 use crate::probe::{Event, Probe, Silent, tell};
 use crate::sampling::BatchMeans;
 use crate::scene::{Budget, Settings};
+use crate::tracer::state::Tracer;
 use crate::tracer::tile::Tile;
 use crate::tracer::tile_batch::PixelBatch;
-use crate::tracer::whitted::Tracer;
 use crate::world::World;
 
 /// A pixel that is being sampled.
