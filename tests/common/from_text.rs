@@ -2,7 +2,7 @@
 
 #![allow(dead_code)] // Not every program that includes this file needs all of it.
 
-use raytree::scene::{Scene, SceneError, load_held};
+use raytree::scene::{Scene, SceneError, load_from_memory};
 
 /// The scene that a text describes.
 pub fn scene(text: &str) -> Scene {
@@ -12,5 +12,5 @@ pub fn scene(text: &str) -> Scene {
 /// The scene that a text describes, if it does.
 pub fn read(text: &str) -> Result<Scene, SceneError> {
     let file = ("test.json".to_string(), text.as_bytes().to_vec());
-    load_held("test.json", [file].into())
+    load_from_memory("test.json", [file].into())
 }

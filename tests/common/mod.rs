@@ -1,13 +1,6 @@
-//! What all test programs share: how property tests draw their cases, and scenes from text.
+//! What all test programs share: how property tests draw their cases.
 
 use proptest::test_runner::{Config, RngSeed};
-use raytree::scene::{Scene, SceneError, load_from_memory};
-
-/// The scene that a scene file with this text would be.
-pub fn scene(text: impl Into<String>) -> Result<Scene, SceneError> {
-    let bytes = text.into().into_bytes();
-    load_from_memory("test.json", [("test.json".to_owned(), bytes)].into())
-}
 
 /// The number in an environment variable.
 pub fn number(name: &str) -> Option<u32> {

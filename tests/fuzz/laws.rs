@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use raytree::accel::AccelKind;
 use raytree::math::Rgb;
 use raytree::probe::Silent;
-use raytree::scene::{Scene, SceneError, load_held};
+use raytree::scene::{Scene, SceneError, load_from_memory};
 use raytree::trace::export::{Dot, Svg, Text};
 use raytree::trace::{PixelTrace, RayTree, Recorder, View, document, explain, ledger};
 use raytree::tracer::{Flow, pixel, render};
@@ -116,7 +116,7 @@ impl Case {
         let size = self.size();
         without_panic(|| {
             let held = self.files.clone();
-            let (read, memory) = counted(|| load_held(&self.main, held));
+            let (read, memory) = counted(|| load_from_memory(&self.main, held));
             let outcome = Outcome {
                 accepted: read.is_ok(),
                 memory,
