@@ -99,10 +99,10 @@ impl Args for SettingsArgs {
 impl FromArgMatches for SettingsArgs {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let value = |knob: &'static Knob| {
-            let values = matches.get_many::<Value>(knob.flag)?;
+            let mut values = matches.get_many::<Value>(knob.flag)?;
             let value = match knob.kind {
                 Kind::Choices(_) => Value::List(values.map(Value::to_string).collect()),
-                _ => values.last()?.clone(),
+                _ => values.next_back()?.clone(),
             };
             Some((knob, value))
         };

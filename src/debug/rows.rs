@@ -130,6 +130,11 @@ impl TreeRows {
         self.visible.len()
     }
 
+    /// True if no row can be seen.
+    pub fn is_empty(&self) -> bool {
+        self.visible.is_empty()
+    }
+
     /// A visible row.
     pub fn get(&self, row: usize) -> Option<TreeRow> {
         self.all.get(*self.visible.get(row)? as usize).copied()

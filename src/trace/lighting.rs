@@ -13,6 +13,7 @@ impl View<'_> {
     }
 
     /// P, the projected solid angle of a light at the hit of a node, if its samples are chosen by that.
+    #[allow(clippy::redundant_closure_for_method_calls)] // The method's lifetime is too narrow.
     pub fn projected_solid_angle(self, node: u32, light: u32) -> Option<f64> {
         self.with_sampler(node, light, |sampler| sampler.projected_solid_angle())
     }

@@ -37,7 +37,7 @@ impl<P: Probe> Tracer<'_, P> {
             if sampler.count == 1 {
                 self.add_light(sum, point, path, light, &ShadowRays::OneByOne(&sampler));
             } else {
-                self.add_area_light(sum, point, path, light, sampler);
+                self.add_area_light(sum, point, path, light, &sampler);
             }
         }
     }
@@ -65,7 +65,7 @@ impl<P: Probe> Tracer<'_, P> {
                 Ok(ray) => {
                     if !known.unwrap_or_else(|| self.is_occluded(path, ray, (light, sample))) {
                         point.eval(&ray.light, ray.n_dot_l, |term| {
-                            self.add_term(sum, term, (light, sample))
+                            self.add_term(sum, term, (light, sample));
                         });
                     }
                 }

@@ -72,16 +72,16 @@ impl<P: Probe> Tracer<'_, P> {
         point: &ShadingPoint,
         path: &Path,
         light: u32,
-        sampler: LightSampler,
+        sampler: &LightSampler,
     ) {
         let samples = sampler.count;
         tell!(self.probe, Event::LightSamples { light, samples });
         if P::LISTENS || !self.settings.effects.has(Effect::Shadows) {
-            return self.add_light(sum, point, path, light, &ShadowRays::OneByOne(&sampler));
+            return self.add_light(sum, point, path, light, &ShadowRays::OneByOne(sampler));
         }
         let mut batch = std::mem::take(&mut self.shadow_batch);
         batch.clear();
-        batch.sample(&sampler, self.rays.left().min(u64::from(samples)) as u32);
+        batch.sample(sampler, self.rays.left().min(u64::from(samples)) as u32);
         batch.trace(self.world, true);
         let rays = ShadowRays::Prefetched(batch.prefetched(), samples);
         self.add_light(sum, point, path, light, &rays);

@@ -29,12 +29,11 @@ impl<P: Probe> Tracer<'_, P> {
         found: &'f mut Found,
     ) -> Option<NextHit<'f>> {
         let (world, ray, rays) = (self.world, &path.ray, &mut self.rays);
-        let (hit, at) = match path.prefetched {
-            Some(pixel) => pixel.hit()?,
-            None => {
-                let (hit, at) = found.closest.insert(world.closest_point(ray, self.probe)?);
-                (&*hit, &*at)
-            }
+        let (hit, at) = if let Some(pixel) = path.prefetched {
+            pixel.hit()?
+        } else {
+            let (hit, at) = found.closest.insert(world.closest_point(ray, self.probe)?);
+            (&*hit, &*at)
         };
         let media = (&mut path.media, &mut self.scratch);
         world.next_interface(ray, (hit, at), &mut found.surface, media, rays, self.probe)

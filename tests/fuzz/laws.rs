@@ -59,6 +59,8 @@ thread_local! {
 pub fn catch_panics() {
     static ONCE: std::sync::Once = std::sync::Once::new();
     ONCE.call_once(|| {
+        // Made once for all messages: no input's memory.
+        let _ = raytree::scene::file::schema();
         let usual = std::panic::take_hook();
         std::panic::set_hook(Box::new(move |info| {
             CAUGHT.with(|caught| match caught.try_borrow_mut() {

@@ -305,7 +305,7 @@ fn adaptive(sampling: Sampler, threshold: f64, pilot: Pilot) -> Settings {
             threshold,
             most: 4096,
             pilot,
-        })
+        });
     })
 }
 

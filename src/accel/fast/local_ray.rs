@@ -84,7 +84,7 @@ impl UnitBox {
     }
 
     /// A point of the world in this space.
-    pub fn to_local(&self, p: DVec3) -> DVec3 {
+    pub fn to_local(self, p: DVec3) -> DVec3 {
         (p - self.center) * self.scale
     }
 

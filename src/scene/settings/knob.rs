@@ -8,6 +8,7 @@ use super::Settings;
 use crate::scene::limits::{MAX_RADIANCE, size_problem};
 
 /// Row of the table of knobs.
+#[allow(clippy::struct_excessive_bools)] // Each is a column of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct Knob {
     /// Name on the command line, without its dashes.

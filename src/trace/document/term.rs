@@ -68,7 +68,7 @@ impl From<&Term> for TermFactors {
                 ("intensity", Factor::Color(c)) => named.intensity = Some(c),
                 ("n_dot_l", Factor::Number(x)) => named.n_dot_l = Some(x),
                 ("projected_solid_angle", Factor::Number(x)) => {
-                    named.projected_solid_angle = Some(x)
+                    named.projected_solid_angle = Some(x);
                 }
                 ("r_dot_v", Factor::Number(x)) => named.r_dot_v = Some(x),
                 ("shininess", Factor::Number(x)) => named.shininess = Some(x),

@@ -139,6 +139,19 @@ fn things_that_students_write() {
             "settings.fresnel",
             r#"one of "none", "schlick", "exact""#,
         ),
+    ] {
+        assert_says(
+            &refused(format!("{{{camera}, {rest}}}").as_bytes()),
+            &[place, cure],
+        );
+    }
+}
+
+#[test]
+fn settings_and_materials_that_students_write() {
+    let camera =
+        r#""format": "raytree-scene/1", "camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0]}"#;
+    for (rest, place, cure) in [
         (
             r#""settings": {"size": [320]}"#,
             "settings.size",

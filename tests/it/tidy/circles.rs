@@ -24,7 +24,7 @@ pub fn needs(house: &House) -> Vec<BTreeSet<usize>> {
                 .map(|u| &u.path);
             let inline = named.iter().filter(|path| path.len() > 1);
             let all = imported.chain(inline);
-            all.filter_map(|path| house.definer(&house.absolute(file, path)?))
+            all.filter_map(|path| house.definer(&House::absolute(file, path)?))
                 .filter(|other| !file.module.starts_with(&house.files[*other].module))
                 .collect()
         })

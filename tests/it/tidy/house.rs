@@ -67,7 +67,7 @@ impl House {
     }
 
     /// Where a path leads that stands in a file, as a path from the root; `None` if it leads out of the crate.
-    pub fn absolute(&self, file: &File, path: &[String]) -> Option<Names> {
+    pub fn absolute(file: &File, path: &[String]) -> Option<Names> {
         let here = file.module.clone();
         let first = path.first()?.as_str();
         let mut names = match first {
@@ -80,7 +80,7 @@ impl House {
                 if import.path.first().map(String::as_str) == Some(first) {
                     return None;
                 }
-                self.absolute(file, &import.path)?
+                Self::absolute(file, &import.path)?
             }
         };
         for name in &path[1..] {
@@ -113,7 +113,7 @@ impl House {
         let named = file.uses.iter().filter(|u| u.name == *name);
         let globs = file.uses.iter().filter(|u| u.name == "*");
         let follow = |u: &Use| {
-            let mut path = self.absolute(file, &u.path)?;
+            let mut path = Self::absolute(file, &u.path)?;
             if u.name == "*" {
                 path.push(name.clone());
             }
@@ -135,10 +135,10 @@ impl File {
         let (uses, defines) = (uses(&tokens), defined(&tokens));
         Self {
             name,
+            text,
             module,
             uses,
             defines,
-            text,
         }
     }
 

@@ -46,7 +46,7 @@ pub fn layers(house: &House) -> Vec<String> {
         let imported = file.uses.iter().map(|u| &u.path);
         let used: BTreeSet<String> = imported
             .chain(inline.iter().filter(|p| p.len() > 1))
-            .filter_map(|path| house.absolute(file, path)?.first().cloned())
+            .filter_map(|path| House::absolute(file, path)?.first().cloned())
             .collect();
         for other in used {
             if rank(&other).is_some_and(|o| o > own) && !FACES.contains(&layer) {

@@ -26,7 +26,7 @@ impl Expected {
                 }
                 Segment::Seq { .. } => expected = expected.step("items")?,
                 Segment::Map { key } | Segment::Enum { variant: key } => {
-                    expected = expected.key(key)?
+                    expected = expected.key(key)?;
                 }
                 Segment::Unknown => {}
             }

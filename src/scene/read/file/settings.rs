@@ -73,14 +73,13 @@ impl<'de> Deserialize<'de> for SettingsFile {
                     if given[index].is_some() {
                         return Err(A::Error::duplicate_field(KEYS[index]));
                     }
-                    given[index] =
-                        Some(match index.checked_sub(1).and_then(|i| in_files().nth(i)) {
-                            Some(knob) => map.next_value_seed(OfKind(knob.kind))?,
-                            None => {
-                                note = map.next_value()?;
-                                None
-                            }
-                        });
+                    let knob = index.checked_sub(1).and_then(|i| in_files().nth(i));
+                    given[index] = Some(if let Some(knob) = knob {
+                        map.next_value_seed(OfKind(knob.kind))?
+                    } else {
+                        note = map.next_value()?;
+                        None
+                    });
                 }
                 let values = in_files().zip(given.into_iter().skip(1));
                 let values = values.filter_map(|(knob, value)| Some((knob, value??)));

@@ -20,7 +20,7 @@ impl Resolver {
         let text = self.files.read(file).map_err(|p| path.wrap(p))?;
         let text = text.ok_or_else(|| {
             path.error(
-                format!("there is no file `{}`", file),
+                format!("there is no file `{file}`"),
                 "check the spelling; the path starts in the folder of the scene file",
             )
         })?;
