@@ -12,9 +12,9 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use raytree::accel::fastest;
-use raytree::geometry::naive::{sphere, triangle};
+use raytree::geometry::arithmetic::{sphere, triangle};
 use raytree::geometry::{Intersection, Shear, Sphere, Triangle};
-use raytree::lab::{Effort, Knob, Lab, knobs};
+use raytree::lab::{Effort, Lab, Parameter, parameters};
 use raytree::math::{DVec3, Interval, Ray};
 use raytree::sampling::Sampler;
 use raytree::sampling::stream::{splitmix64, to_unit_f64};
@@ -149,7 +149,7 @@ fn picture(name: &str) -> Vec<([String; 2], [f64; 2])> {
         s.accel = fastest(&scene.shapes);
     });
     let world = World::new(scene, settings.accel);
-    let choices = knobs(&world, &settings, Effort::LEAST);
+    let choices = parameters(&world, &settings, Effort::LEAST);
     let mut lab = Lab {
         world,
         accel: settings.accel,
@@ -160,7 +160,7 @@ fn picture(name: &str) -> Vec<([String; 2], [f64; 2])> {
         reference: None,
     };
     let mut rows = Vec::new();
-    for knob in choices.into_iter().filter(Knob::is_robust) {
+    for knob in choices.into_iter().filter(Parameter::is_arithmetic) {
         let mut round = || {
             let end = Instant::now() + Duration::from_secs(600);
             lab.measure(vec![knob.clone()], end, &|_| {})

@@ -55,7 +55,7 @@ impl Contestant {
 }
 
 fn one_by_one(accel: &Accel, shapes: &[Shape], rays: &[Sent], any: bool) -> usize {
-    let find = if any { Accel::any } else { Accel::closest };
+    let find = if any { Accel::any_hit } else { Accel::closest };
     let hits = |(ray, interval): &&Sent| find(accel, shapes, ray, *interval, &mut Silent).is_some();
     rays.iter().filter(hits).count()
 }
