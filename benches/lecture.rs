@@ -3,13 +3,13 @@
 //! All accelerators draw the same pixels in turns, in one run, on one thread: every sixteenth pixel of each row and
 //! column, with all its samples. Times for the whole frame are these times 256.
 
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use raytree::accel::AccelKind;
-use raytree::probe::Silent;
 use raytree::scene::{self, Settings};
 use raytree::trace::Counts;
-use raytree::tracer::{Flow, render};
+use raytree::tracer::{draw, render};
 use raytree::world::World;
 
 /// Pixels of the frame for each pixel that is drawn, along an edge.
@@ -22,13 +22,13 @@ const SLIDE_RATE: f64 = 100_000.0;
 /// Seconds to draw the pixels once.
 fn seconds(world: &World, settings: &Settings) -> f64 {
     let start = Instant::now();
-    let (film, _) = render::<Silent>(world, settings, 1, &|_, _| Flow::Continue);
+    let film = draw(world, settings, 1);
     assert!(!film.truncated, "nothing is left out");
     start.elapsed().as_secs_f64()
 }
 
 fn counts(world: &World, settings: &Settings) -> Counts {
-    let (_, parts) = render::<Counts>(world, settings, 1, &|_, _| Flow::Continue);
+    let (_, parts) = render::<Counts>(world, settings, 1, &|_, _| ControlFlow::Continue(()));
     parts.iter().fold(Counts::default(), Counts::plus)
 }
 

@@ -6,13 +6,13 @@
 #[path = "common/table.rs"]
 mod table;
 
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use raytree::accel::AccelKind;
-use raytree::probe::Silent;
 use raytree::scene::{self, Settings};
 use raytree::trace::Counts;
-use raytree::tracer::{Flow, render};
+use raytree::tracer::{draw, render};
 use raytree::world::World;
 
 use table::{markdown, median, publish};
@@ -44,7 +44,7 @@ const SCENES: [&str; 11] = [
 /// Seconds for one picture.
 fn seconds(world: &World, settings: &Settings, threads: usize) -> f64 {
     let start = Instant::now();
-    let (film, _) = render::<Silent>(world, settings, threads, &|_, _| Flow::Continue);
+    let film = draw(world, settings, threads);
     assert!(!film.truncated, "nothing is left out");
     start.elapsed().as_secs_f64()
 }
@@ -71,7 +71,7 @@ fn accelerators() -> String {
         });
         let worlds = AccelKind::ALL.map(|kind| World::new(scene.clone(), kind));
         let (_, counts) = render::<Counts>(&worlds[worlds.len() - 1], &settings, 0, &|_, _| {
-            Flow::Continue
+            ControlFlow::Continue(())
         });
         let rays = counts.iter().fold(Counts::default(), Counts::plus).rays();
         let mut times: Vec<_> = worlds
@@ -141,7 +141,7 @@ fn threads() -> String {
             s.image.height = 1024;
         });
         let world = World::new(scene, AccelKind::Wide);
-        let (_, counts) = render::<Counts>(&world, &settings, 0, &|_, _| Flow::Continue);
+        let (_, counts) = render::<Counts>(&world, &settings, 0, &|_, _| ControlFlow::Continue(()));
         let rays = counts.iter().fold(Counts::default(), Counts::plus).rays() as f64;
         let rounds: Vec<_> = (0..2 * ROUNDS)
             .map(|_| {

@@ -58,7 +58,11 @@ fn watch(criterion: &mut Criterion, mesh: &str, shapes: &[Shape]) {
     };
     for kind in sent::kinds(any, shapes) {
         let rays: Vec<_> = kind.rays.chunks(256).step_by(SHARE).flatten().collect();
-        let find = if kind.any { Accel::any_hit } else { Accel::closest };
+        let find = if kind.any {
+            Accel::any_hit
+        } else {
+            Accel::closest
+        };
         let mut group = criterion.benchmark_group(format!("{mesh}/{}", kind.name));
         group.throughput(Throughput::Elements(rays.len() as u64));
         for (name, accel) in &accels {

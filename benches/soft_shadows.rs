@@ -14,10 +14,9 @@ use std::time::Instant;
 use raytree::accel::AccelKind;
 use raytree::lab::Reference;
 use raytree::lab::error::errors;
-use raytree::probe::Silent;
 use raytree::sampling::{LightSampling, Sampler};
 use raytree::scene::{self, Adaptive, Pilot, Settings};
-use raytree::tracer::{Film, Flow, render};
+use raytree::tracer::{Film, draw};
 use raytree::world::World;
 
 use table::{markdown, median, publish};
@@ -72,9 +71,9 @@ struct Drawn {
 }
 
 /// A picture and the seconds that it took one thread.
-fn draw(world: &World, settings: &Settings, threads: usize) -> (Film, f64) {
+fn timed(world: &World, settings: &Settings, threads: usize) -> (Film, f64) {
     let start = Instant::now();
-    let (film, _) = render::<Silent>(world, settings, threads, &|_, _| Flow::Continue);
+    let film = draw(world, settings, threads);
     assert!(!film.truncated, "nothing is left out");
     (film, start.elapsed().as_secs_f64())
 }
@@ -133,12 +132,12 @@ fn rows(world: &World, size: u32) -> String {
         s.seed = 99;
         s.light.sampler = Sampler::Sobol;
     });
-    let reference = Reference::new(draw(world, &reference, 0).0, 1.0);
+    let reference = Reference::new(timed(world, &reference, 0).0, 1.0);
     let mut draws: Vec<Vec<Drawn>> = ways.iter().map(|_| Vec::new()).collect();
     for seed in 0..ROUNDS as u64 {
         for ((_, settings), draws) in ways.iter().zip(&mut draws) {
             let settings = settings.with(|s| s.seed = seed);
-            let (film, seconds) = draw(world, &settings, 1);
+            let (film, seconds) = timed(world, &settings, 1);
             let rmse = errors(&film, &reference, 1.0).expect("the same size").rmse;
             draws.push(Drawn {
                 rays: film.rays,

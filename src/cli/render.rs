@@ -5,6 +5,7 @@ mod report;
 mod stats;
 
 use std::io::IsTerminal;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -23,7 +24,7 @@ use crate::sampling::Sampler;
 use crate::scene::Settings;
 use crate::trace::Counts;
 use crate::tracer::image::terminal;
-use crate::tracer::{Film, Flow, render};
+use crate::tracer::{Film, render};
 use crate::world::World;
 
 /// What is said when a limit cut a picture short.
@@ -156,9 +157,9 @@ choose --sampling random, jittered or sobol"
             bar.set_message(format!("{:.2} million rays/s", rate / 1e6));
             bar.inc(pixels);
             if stop.load(Ordering::Relaxed) {
-                Flow::Stop
+                ControlFlow::Break(())
             } else {
-                Flow::Continue
+                ControlFlow::Continue(())
             }
         };
         let threads = self.scene.settings.threads;

@@ -1,5 +1,6 @@
 //! How much can be afforded: from three small renders, how many samples fit into a time.
 
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use super::effort::{EFFORTS, Effort};
@@ -9,7 +10,7 @@ use crate::probe::Silent;
 use crate::sampling::Sampler;
 use crate::scene::Settings;
 use crate::trace::Counts;
-use crate::tracer::{Flow, render};
+use crate::tracer::render;
 use crate::world::World;
 
 /// How many times slower than the fastest an accelerator may be; a tree deeper than what was asked for; and so on.
@@ -57,7 +58,7 @@ impl CostModel {
         let many = one.with(|s| s.light.samples = MANY);
         let clock = |settings: &Settings, count: bool| {
             let start = Instant::now();
-            let go_on = |_, _| Flow::Continue;
+            let go_on = |_, _| ControlFlow::Continue(());
             if count {
                 render::<Counts>(world, settings, threads, &go_on);
             } else {

@@ -5,12 +5,14 @@
 //! the start, so that the last one can be had again by asking for its number of samples. The samples are parted into
 //! sets, from whose differences the error is estimated (see [`crate::sampling::batch_means`]).
 
+use std::ops::ControlFlow;
+
 use std::time::Instant;
 
 use crate::probe::Silent;
 use crate::sampling::Sampler;
 use crate::scene::{Settings, limits};
-use crate::tracer::{Film, Flow, render};
+use crate::tracer::{Film, render};
 use crate::world::World;
 
 /// Sets of a pass: enough to tell how much they differ, and few, since samples of one set complete each other.
@@ -65,7 +67,7 @@ pub fn converge(
     settings: &Settings,
     wanted: f64,
     threads: usize,
-    watch: &(dyn Fn(u64, u64) -> Flow + Sync),
+    watch: &(dyn Fn(u64, u64) -> ControlFlow<()> + Sync),
 ) -> Convergence {
     let mut now = settings.with(|s| {
         s.pixel.samples = whole_sets(f64::from(settings.pixel.samples));

@@ -1,5 +1,6 @@
 //! Turning knobs: what each position costs, and how far from the reference it stays.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
@@ -13,7 +14,7 @@ use crate::geometry::Arithmetic;
 use crate::probe::{Probe, Silent};
 use crate::scene::Settings;
 use crate::trace::Counts;
-use crate::tracer::{Film, Flow, render};
+use crate::tracer::{Film, render};
 use crate::world::World;
 
 /// A scene that is measured.
@@ -186,10 +187,10 @@ impl Lab {
         let stopped = AtomicBool::new(false);
         let watch = |_, _| {
             if Instant::now() < end {
-                return Flow::Continue;
+                return ControlFlow::Continue(());
             }
             stopped.store(true, Ordering::Relaxed);
-            Flow::Stop
+            ControlFlow::Break(())
         };
         let done = render(&self.world, settings, self.threads, &watch);
         (!stopped.load(Ordering::Relaxed)).then_some(done)

@@ -6,4 +6,4 @@ pub mod thread_pool;
 mod tile_pass;
 
 pub use buffer::{Film, NonFinite};
-pub use render::{Flow, render};
+pub use render::{draw, render};

@@ -10,7 +10,7 @@ use raytree::probe::Silent;
 use raytree::scene::{Scene, SceneError, load_from_memory};
 use raytree::trace::export::{Dot, Svg, Text};
 use raytree::trace::{PixelTrace, RayTree, Recorder, View, document, explain, ledger};
-use raytree::tracer::{Flow, pixel, render};
+use raytree::tracer::{draw, pixel};
 use raytree::world::World;
 
 use super::memory::{Memory, counted};
@@ -220,7 +220,7 @@ fn picture(scene: &Scene, chance: usize) -> Result<(), Broken> {
         s.accel = accel;
     });
     let world = World::new(scene.clone(), accel);
-    let (film, _) = render::<Silent>(&world, &settings, 1, &|_, _| Flow::Continue);
+    let film = draw(&world, &settings, 1);
     if film.rays > settings.recursion.max_rays {
         return Err(broken(
             "budget",

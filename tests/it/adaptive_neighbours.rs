@@ -6,7 +6,7 @@ use raytree::probe::Silent;
 use raytree::sampling::stream::splitmix64;
 use raytree::sampling::{LightSampling, Sampler};
 use raytree::scene::{Adaptive, Pilot, Settings};
-use raytree::tracer::{Film, Flow, pixel, render};
+use raytree::tracer::{Film, draw, pixel};
 use raytree::world::World;
 
 use crate::from_text;
@@ -54,7 +54,7 @@ fn decided(settings: &Settings, threshold: f64, pilot: Pilot) -> Settings {
 }
 
 fn film(world: &World, settings: &Settings) -> Film {
-    render::<Silent>(world, settings, 2, &|_, _| Flow::Continue).0
+    draw(world, settings, 2)
 }
 
 #[test]

@@ -4,10 +4,10 @@ use std::process::Command;
 
 use raytree::accel::AccelKind;
 use raytree::geometry::{Arithmetic, Offset, Precision, Quadratic, TriangleTest};
-use raytree::probe::{Event, Silent};
+use raytree::probe::Event;
 use raytree::scene::{self, Settings};
 use raytree::trace::{View, trace_pixel};
-use raytree::tracer::{Film, Flow, render};
+use raytree::tracer::{Film, draw};
 use raytree::world::World;
 
 const NONE: Arithmetic = Arithmetic {
@@ -48,7 +48,7 @@ fn world(name: &str, kind: AccelKind, arithmetic: Arithmetic) -> (World, Setting
 }
 
 fn film(world: &World, settings: &Settings) -> Film {
-    render::<Silent>(world, settings, 1, &|_, _| Flow::Continue).0
+    draw(world, settings, 1)
 }
 
 #[test]

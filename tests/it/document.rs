@@ -72,7 +72,11 @@ fn a_document_names_lights_and_rays() {
     let settings = Settings::default();
     let document = document("whitted", 24 * 12 + 12, &settings, false);
     assert!(!document.scene.lights.is_empty());
-    let rays: Vec<_> = document.samples.iter().flat_map(document::SampleTree::rays).collect();
+    let rays: Vec<_> = document
+        .samples
+        .iter()
+        .flat_map(document::SampleTree::rays)
+        .collect();
     assert!(rays.len() > 1 && rays.len() as u64 <= document.rays);
     let lights = &document.scene.lights;
     for ray in &rays {

@@ -2,14 +2,14 @@
 
 use proptest::prelude::*;
 use raytree::math::Rgb;
-use raytree::probe::Silent;
 use raytree::scene::effects::{effects, findings};
 use raytree::scene::{self, Scene, Settings};
 use raytree::shading::Effect::{self, Highlights, Reflection, Refraction, Shadows, SoftShadows};
 use raytree::shading::Effects;
 use raytree::trace::Counts;
-use raytree::tracer::{Flow, render};
+use raytree::tracer::{draw, render};
 use raytree::world::World;
+use std::ops::ControlFlow;
 
 use crate::common;
 use crate::from_text;
@@ -25,7 +25,7 @@ fn small(scene: &Scene, effects: Effects) -> Settings {
 }
 
 fn bits(world: &World, settings: &Settings) -> Vec<[u64; 3]> {
-    let film = render::<Silent>(world, settings, 2, &|_, _| Flow::Continue).0;
+    let film = draw(world, settings, 2);
     film.pixels
         .iter()
         .map(|p: &Rgb| p.channels().map(f64::to_bits))
@@ -33,7 +33,7 @@ fn bits(world: &World, settings: &Settings) -> Vec<[u64; 3]> {
 }
 
 fn counts(world: &World, settings: &Settings) -> Counts {
-    let (_, counts) = render::<Counts>(world, settings, 2, &|_, _| Flow::Continue);
+    let (_, counts) = render::<Counts>(world, settings, 2, &|_, _| ControlFlow::Continue(()));
     counts.iter().fold(Counts::default(), Counts::plus)
 }
 

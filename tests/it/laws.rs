@@ -13,10 +13,9 @@ mod vectors;
 use std::collections::HashMap;
 use std::process::Command;
 
-use raytree::probe::Silent;
 use raytree::scene::{self, Settings};
 use raytree::trace::{View, document, trace_pixel};
-use raytree::tracer::{Film, Flow, render};
+use raytree::tracer::{Film, draw};
 use raytree::world::World;
 use serde_json::Value;
 
@@ -159,7 +158,7 @@ fn world(name: &str, settings: &Settings) -> World {
 }
 
 fn film(world: &World, settings: &Settings) -> Film {
-    render::<Silent>(world, settings, 2, &|_, _| Flow::Continue).0
+    draw(world, settings, 2)
 }
 
 fn document(world: &World, settings: &Settings, at: (u32, u32)) -> Value {

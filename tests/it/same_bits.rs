@@ -6,11 +6,12 @@ use raytree::probe::Silent;
 use raytree::sampling::{Filter, LightSampling, Sampler};
 use raytree::scene::{self, Adaptive, Pilot, Settings};
 use raytree::trace::{Counts, ledger, trace_pixel};
-use raytree::tracer::{Film, Flow, render};
+use raytree::tracer::{Film, draw, render};
 use raytree::world::World;
+use std::ops::ControlFlow;
 
 fn film(world: &World, settings: &Settings, threads: usize) -> Film {
-    render::<Silent>(world, settings, threads, &|_, _| Flow::Continue).0
+    draw(world, settings, threads)
 }
 
 fn bits(pixels: &[Rgb]) -> Vec<[u64; 3]> {
@@ -58,7 +59,8 @@ fn listening_changes_nothing() {
         let settings = settings_of(name, 20, 15);
         let world = World::new(scene::load(name).expect("built in"), settings.accel);
         let silent = film(&world, &settings, 2);
-        let (counted, counts) = render::<Counts>(&world, &settings, 2, &|_, _| Flow::Continue);
+        let (counted, counts) =
+            render::<Counts>(&world, &settings, 2, &|_, _| ControlFlow::Continue(()));
         assert_eq!(bits(&silent.pixels), bits(&counted.pixels), "{name}");
         let sum = counts.iter().fold(Counts::default(), Counts::plus);
         assert_eq!(sum.rays(), silent.rays, "{name}: each ray is told once");
@@ -131,7 +133,8 @@ fn however_samples_are_chosen_the_replay_is_the_picture() {
     for settings in ways_to_sample(base) {
         let picture = film(&wide, &settings, 1);
         assert_eq!(picture, film(&list, &settings, 8), "{settings:?}");
-        let (told, counts) = render::<Counts>(&list, &settings, 2, &|_, _| Flow::Continue);
+        let (told, counts) =
+            render::<Counts>(&list, &settings, 2, &|_, _| ControlFlow::Continue(()));
         assert_eq!(bits(&picture.pixels), bits(&told.pixels), "{settings:?}");
         let sum = counts.iter().fold(Counts::default(), Counts::plus);
         assert_eq!(
@@ -209,7 +212,7 @@ fn rays_to_area_lights_are_the_same_when_they_are_foreseen() {
 fn a_render_can_be_stopped() {
     let settings = settings_of("whitted", 256, 256);
     let world = World::new(scene::load("whitted").expect("built in"), settings.accel);
-    let (film, _) = render::<Silent>(&world, &settings, 1, &|_, _| Flow::Stop);
+    let (film, _) = render::<Silent>(&world, &settings, 1, &|_, _| ControlFlow::Break(()));
     assert!(film.truncated);
     assert!(film.at(255, 255).is_black() && !film.at(0, 0).is_black());
 }

@@ -1,11 +1,12 @@
 //! The built-in scenes are sound, and the format says of itself what it reads.
 
 use std::collections::HashSet;
+use std::ops::ControlFlow;
 
 use raytree::geometry::Shape;
 use raytree::probe::{Absence, Event, Probe};
 use raytree::scene::{Scene, builtin, file, list, load};
-use raytree::tracer::{Flow, render};
+use raytree::tracer::render;
 use raytree::world::World;
 
 fn each() -> impl Iterator<Item = (&'static str, Scene)> {
@@ -153,7 +154,8 @@ fn the_block_reflects_totally_and_the_mirrors_end_at_the_depth_limit() {
         let mut settings = scene.settings;
         (settings.image.width, settings.image.height) = (64, 48);
         let world = World::new(scene, settings.accel);
-        let (_, probes) = render::<Absences>(&world, &settings, 2, &|_, _| Flow::Continue);
+        let (_, probes) =
+            render::<Absences>(&world, &settings, 2, &|_, _| ControlFlow::Continue(()));
         let sum = |part: fn(&Absences) -> usize| probes.iter().map(part).sum::<usize>();
         (sum(|a| a.total_internal_reflection), sum(|a| a.depth_limit))
     };

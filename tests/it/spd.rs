@@ -8,8 +8,9 @@
 
 use raytree::probe::{Event, Probe, RayKind};
 use raytree::scene::{self, Settings};
-use raytree::tracer::{Flow, render};
+use raytree::tracer::render;
 use raytree::world::World;
+use std::ops::ControlFlow;
 
 /// How many rays of each sort there were.
 #[derive(Clone, Copy, Debug, Default)]
@@ -40,7 +41,7 @@ impl Probe for Tally {
 }
 
 fn tally(world: &World, settings: &Settings) -> Tally {
-    let (film, parts) = render::<Tally>(world, settings, 2, &|_, _| Flow::Continue);
+    let (film, parts) = render::<Tally>(world, settings, 2, &|_, _| ControlFlow::Continue(()));
     assert!(!film.truncated);
     parts.iter().fold(Tally::default(), |sum, part| Tally {
         last: None,

@@ -4,11 +4,12 @@
 //! the same with all of them: a test of `accel::simd`), so they are gated exactly; seconds never are.
 
 use std::fmt::Write;
+use std::ops::ControlFlow;
 
 use raytree::accel::AccelKind;
 use raytree::scene::{self, Settings};
 use raytree::trace::Counts;
-use raytree::tracer::{Flow, render};
+use raytree::tracer::render;
 use raytree::world::World;
 
 /// Lines of scene, accelerator, rays, nodes and tests, at 80x60 pixels and else as the scene wants it.
@@ -16,7 +17,7 @@ const FIGURES: &str = include_str!("../counts.txt");
 
 /// All that is counted while a picture is drawn.
 fn counts(world: &World, settings: &Settings) -> Counts {
-    let (film, parts) = render::<Counts>(world, settings, 0, &|_, _| Flow::Continue);
+    let (film, parts) = render::<Counts>(world, settings, 0, &|_, _| ControlFlow::Continue(()));
     assert!(!film.truncated, "nothing is left out");
     parts.iter().fold(Counts::default(), Counts::plus)
 }

@@ -1,11 +1,10 @@
 //! The eye in impossible places, and pictures that may not depend on who computes them.
 
 use raytree::accel::AccelKind;
-use raytree::probe::Silent;
 use raytree::sampling::Sampler;
 use raytree::scene::{Settings, load};
 use raytree::trace::trace_pixel;
-use raytree::tracer::{Flow, render};
+use raytree::tracer::draw;
 use raytree::world::World;
 
 use crate::from_text;
@@ -75,7 +74,7 @@ fn case_85_any_number_of_threads_makes_the_same_picture() {
         s.pixel.sampler = Sampler::Stratified;
         s.light.samples = 4;
     });
-    let film = |threads| render::<Silent>(&world, &settings, threads, &|_, _| Flow::Continue).0;
+    let film = |threads| draw(&world, &settings, threads);
     let one = film(1);
     for threads in [2, 3, 7, 64] {
         assert_eq!(film(threads), one, "{threads} threads");

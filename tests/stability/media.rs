@@ -6,8 +6,9 @@ use raytree::math::DVec3;
 use raytree::probe::{Event, NONE, RayKind, Silent};
 use raytree::scene::{Camera, Settings};
 use raytree::trace::{Outcome, PixelTrace, trace_pixel};
-use raytree::tracer::{Flow, render};
+use raytree::tracer::render;
 use raytree::world::World;
+use std::ops::ControlFlow;
 
 use super::support::{count, scene};
 use super::vessel::{Body, Make, Solid, vessel};
@@ -268,7 +269,7 @@ fn case_66_the_picture_is_the_same_for_all_accelerators() {
             let solids = vessel(overlap);
             let picture = |kind| {
                 let world = world(&solids, make, EYES[0].1, kind);
-                let whole = |_, _| Flow::Continue;
+                let whole = |_, _| ControlFlow::Continue(());
                 let (film, _) = render::<Silent>(&world, &settings(size), 2, &whole);
                 (world, film.pixels)
             };

@@ -2,11 +2,11 @@
 
 use raytree::accel::AccelKind;
 use raytree::math::{DVec3, Rgb};
-use raytree::probe::{Absence, Event, RayKind, Silent};
+use raytree::probe::{Absence, Event, RayKind};
 use raytree::scene::Settings;
 use raytree::shading::optics::{Fresnel, reflect, refract};
 use raytree::trace::{Outcome, PixelTrace, trace_pixel};
-use raytree::tracer::{Flow, render};
+use raytree::tracer::draw;
 use raytree::world::World;
 
 use super::support::{Random, count, scene};
@@ -115,7 +115,7 @@ fn case_63_a_boundary_between_equal_indices_is_not_seen() {
         s.image.width = 24;
         s.image.height = 24;
     });
-    let film = |w| render::<Silent>(w, &settings, 2, &|_, _| Flow::Continue).0;
+    let film = |w| draw(w, &settings, 2);
     let (with, without) = (film(&with), film(&without));
     for (i, (a, b)) in with.pixels.iter().zip(&without.pixels).enumerate() {
         let off = (*a + *b * -1.0).channels().map(f64::abs);

@@ -7,7 +7,7 @@ use raytree::probe::Silent;
 use raytree::scene::Settings;
 use raytree::shading::Interaction;
 use raytree::trace::trace_pixel;
-use raytree::tracer::{Flow, render};
+use raytree::tracer::draw;
 use raytree::world::World;
 
 use super::support::{Mesh, Random, count, scene};
@@ -112,7 +112,7 @@ fn case_50_a_picture_of_plates_a_billionth_apart() {
                 s.accel = kind;
                 s.arithmetic = arithmetic;
             });
-            let (film, _) = render::<Silent>(&world, &settings, 1, &|_, _| Flow::Continue);
+            let film = draw(&world, &settings, 1);
             film.pixels
         };
         let off = |color: &Rgb| (color.channels()[0] - expected).abs();

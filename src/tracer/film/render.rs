@@ -1,34 +1,33 @@
 //! The rendering of a whole picture: its tiles, in parallel.
 
+use std::ops::ControlFlow;
+
 use rayon::prelude::*;
 
 use super::buffer::Film;
 use super::thread_pool;
 use super::tile_pass::RenderedTile;
-use crate::probe::Probe;
+use crate::probe::{Probe, Silent};
 use crate::scene::Settings;
 use crate::tracer::tile::tiles;
 use crate::world::World;
 
-/// The answer of a render's progress callback.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Flow {
-    /// Go on.
-    Continue,
-    /// Leave the tiles that have not begun black.
-    Stop,
+/// Picture of a scene, on `threads` threads (0: one a core).
+pub fn draw(world: &World, settings: &Settings, threads: usize) -> Film {
+    let go_on = |_, _| ControlFlow::Continue(());
+    render::<Silent>(world, settings, threads, &go_on).0
 }
 
 /// Renders the whole picture on `threads` threads (0: one a core). Each pixel depends on nothing but the scene and
 /// the settings, so the picture is the same for any number of threads.
 ///
 /// Each tile has a probe of its own; they come back in the order of the tiles. `watch` is called after each tile with
-/// the number of its pixels and rays.
+/// the number of its pixels and rays; after [`ControlFlow::Break`] the tiles that have not begun stay black.
 pub fn render<P: Probe + Default + Send>(
     world: &World,
     settings: &Settings,
     threads: usize,
-    watch: &(dyn Fn(u64, u64) -> Flow + Sync),
+    watch: &(dyn Fn(u64, u64) -> ControlFlow<()> + Sync),
 ) -> (Film, Vec<P>) {
     let stopped = std::sync::atomic::AtomicBool::new(false);
     let order = std::sync::atomic::Ordering::Relaxed;
@@ -40,7 +39,7 @@ pub fn render<P: Probe + Default + Send>(
                     return RenderedTile::blank(tile);
                 }
                 let done = RenderedTile::render(tile, world, settings);
-                if watch(done.film.pixels.len() as u64, done.film.rays) == Flow::Stop {
+                if watch(done.film.pixels.len() as u64, done.film.rays) == ControlFlow::Break(()) {
                     stopped.store(true, order);
                 }
                 done

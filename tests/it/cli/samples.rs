@@ -1,5 +1,6 @@
 //! What the command line says about the samples of a pixel, as a user types it.
 
+use std::ops::ControlFlow;
 use std::process::Command;
 
 use raytree::accel::AccelKind;
@@ -9,7 +10,7 @@ use raytree::probe::Silent;
 use raytree::sampling::Sampler;
 use raytree::scene;
 use raytree::trace::trace_pixel;
-use raytree::tracer::{Flow, render};
+use raytree::tracer::{draw, render};
 use raytree::world::World;
 use serde_json::Value;
 
@@ -171,7 +172,7 @@ fn a_sample_that_is_no_number_counts_as_black_and_is_told_of() {
         s.pixel.samples = 2;
     });
     let world = World::new(scene, AccelKind::Wide);
-    let (film, _) = render::<Silent>(&world, &settings, 2, &|_, _| Flow::Continue);
+    let film = draw(&world, &settings, 2);
     assert!(film.pixels.iter().all(|color| color.is_finite()));
     let ((x, y), sample) = film.non_finite.first.expect("a spoiled sample");
     let trace = trace_pixel(&world, &settings, (x, y), false);
@@ -198,7 +199,7 @@ fn the_error_that_was_asked_for_is_the_error_that_is_there() {
         s.pixel.samples = 16;
         s.light.samples = 1;
     });
-    let go_on = |_, _| Flow::Continue;
+    let go_on = |_, _| ControlFlow::Continue(());
     let truth = base.with(|s| {
         s.pixel.samples = 4096;
         s.pixel.sampler = Sampler::Sobol;
