@@ -23,19 +23,13 @@ impl<P: Probe> Tracer<'_, P> {
         let prefetched = path.prefetched.filter(|_| is_first);
         for light in 0..self.world.scene.lights.len() as u32 {
             if let Some(rays) = prefetched.and_then(|pixel| pixel.shadow_rays(light)) {
-                self.add_light(
-                    sum,
-                    point,
-                    path,
-                    light,
-                    &ShadowRays::Prefetched(rays, rays.len() as u32),
-                );
+                self.add_light(sum, point, path, light, rays);
                 continue;
             }
             let id = (path.id, light);
             let sampler = LightSampler::new(&self.world.scene, self.settings, point, id);
             if sampler.count == 1 {
-                self.add_light(sum, point, path, light, &ShadowRays::OneByOne(&sampler));
+                self.add_light(sum, point, path, light, &sampler);
             } else {
                 self.add_area_light(sum, point, path, light, &sampler);
             }
@@ -43,14 +37,14 @@ impl<P: Probe> Tracer<'_, P> {
     }
 
     /// Adds a light: for each of its samples whose shadow ray arrives, the diffuse and the specular term.
-    #[inline]
+    #[inline(always)]
     pub(super) fn add_light(
         &mut self,
         sum: &mut Rgb,
         point: &ShadingPoint,
         path: &Path,
         light: u32,
-        rays: &ShadowRays,
+        rays: &(impl ShadowRays + ?Sized),
     ) {
         let casts_shadows = self.settings.effects.has(Effect::Shadows);
         for sample in 0..rays.count() {

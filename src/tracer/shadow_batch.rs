@@ -26,39 +26,44 @@ pub struct Prefetched {
     pub occluded: bool,
 }
 
-/// Shadow rays from a point to a light.
-pub enum ShadowRays<'a> {
-    /// Sampled, and to be traced, one after the other.
-    OneByOne(&'a LightSampler<'a>),
-    /// Sampled and traced together with others, before; and how many there are to be. (Less are prefetched where the budget of
-    /// rays has an end.)
-    Prefetched(&'a [Prefetched], u32),
-}
-
-impl ShadowRays<'_> {
+/// Shadow rays from a point to a light: sampled and traced one after the other ([`LightSampler`]), or before ([`Prefetched`]).
+pub trait ShadowRays {
     /// Number of samples of the light.
-    pub fn count(&self) -> u32 {
-        match self {
-            Self::OneByOne(sampler) => sampler.count,
-            Self::Prefetched(_, count) => *count,
-        }
-    }
+    fn count(&self) -> u32;
 
     /// Shadow ray number `sample`, or why none is sent, and whether something is in its way, if that is known. A ray that has
     /// not been sampled yet is put into `slot`.
-    #[inline(always)]
-    pub fn get<'s>(
-        &'s self,
-        sample: u32,
-        slot: &'s mut Option<Result<ShadowRay, Absence>>,
-    ) -> (&'s Result<ShadowRay, Absence>, Option<bool>) {
-        match self {
-            Self::OneByOne(sampler) => (slot.insert(sampler.shadow_ray(sample)), None),
-            Self::Prefetched(rays, _) => {
-                let Prefetched { ray, occluded } = &rays[sample as usize];
-                (ray, Some(*occluded))
-            }
-        }
+    fn get<'s>(&'s self, sample: u32, slot: &'s mut Slot) -> (&'s SampledRay, Option<bool>);
+}
+
+/// Shadow ray of a sample, or why none is sent.
+pub type SampledRay = Result<ShadowRay, Absence>;
+
+/// Memory for one shadow ray.
+pub type Slot = Option<SampledRay>;
+
+impl ShadowRays for LightSampler<'_> {
+    #[inline]
+    fn count(&self) -> u32 {
+        self.count
+    }
+
+    #[inline]
+    fn get<'s>(&'s self, sample: u32, slot: &'s mut Slot) -> (&'s SampledRay, Option<bool>) {
+        (slot.insert(self.shadow_ray(sample)), None)
+    }
+}
+
+impl ShadowRays for [Prefetched] {
+    #[inline]
+    fn count(&self) -> u32 {
+        self.len() as u32
+    }
+
+    #[inline]
+    fn get<'s>(&'s self, sample: u32, _: &'s mut Slot) -> (&'s SampledRay, Option<bool>) {
+        let Prefetched { ray, occluded } = &self[sample as usize];
+        (ray, Some(*occluded))
     }
 }
 
@@ -77,14 +82,15 @@ impl<P: Probe> Tracer<'_, P> {
         let samples = sampler.count;
         tell!(self.probe, Event::LightSamples { light, samples });
         if P::LISTENS || !self.settings.effects.has(Effect::Shadows) {
-            return self.add_light(sum, point, path, light, &ShadowRays::OneByOne(sampler));
+            return self.add_light(sum, point, path, light, sampler);
         }
         let mut batch = std::mem::take(&mut self.shadow_batch);
         batch.clear();
-        batch.sample(sampler, self.rays.left().min(u64::from(samples)) as u32);
+        let affordable = self.rays.left().min(u64::from(samples)) as u32;
+        batch.sample(sampler, affordable);
         batch.trace(self.world, true);
-        let rays = ShadowRays::Prefetched(batch.prefetched(), samples);
-        self.add_light(sum, point, path, light, &rays);
+        self.add_light(sum, point, path, light, batch.prefetched());
+        self.rays.truncated |= affordable < samples;
         self.shadow_batch = batch;
     }
 }
