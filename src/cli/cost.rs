@@ -22,6 +22,7 @@ use crate::lab::{
 };
 use crate::sampling::Sampler;
 use crate::scene::limits::MAX_SECONDS;
+use crate::scene::settings::Image;
 use crate::scene::{Sampling, Settings, flags};
 use crate::world::World;
 
@@ -34,7 +35,7 @@ const PLANNED: usize = 3;
 /// The part of the budget that measuring may use; the rest is for writing.
 const MEASURING: f64 = 0.95;
 
-/// The same if a strip is to be rendered after it.
+/// The part that measuring may use if a strip is to be rendered after it.
 const BEFORE_STRIP: f64 = 0.75;
 
 #[derive(Args)]
@@ -133,48 +134,11 @@ impl Cost {
         };
         let ends =
             [measuring, MEASURING].map(|part| start + Duration::from_secs_f64(self.budget * part));
-        let Found {
-            sweeps,
-            comparisons,
-        } = self.measure_all(&mut lab, &parameters, model, ends, &bar);
+        let found = self.measure_all(&mut lab, &parameters, model, ends, &bar);
         bar.finish_and_clear();
-
         let again = self.again(&base, &lab.world, effort);
-        let title = format!(
-            "{}, {}x{}",
-            lab.world.scene.name, base.image.width, base.image.height
-        );
-        if let Some(path) = &self.plot {
-            let svg = plot::svg(&title, &sweeps);
-            output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
-        }
-        let mut crops = String::new();
-        if comparisons.is_empty() && self.strip.is_some() {
-            eprintln!("warning: no strip: nothing that it could show was measured");
-        } else if let Some(path) = &self.strip {
-            output::write_png(
-                path,
-                &equal_time::picture(&comparisons),
-                base.image.exposure,
-            )?;
-            crops = table::comparisons(&comparisons, path);
-        }
-        let text = if self.json {
-            format!("{:#}\n", record::json(&sweeps, &again))
-        } else if self.csv {
-            record::csv(&sweeps)
-        } else {
-            format!(
-                "{title}; * nothing in its table is both cheaper (in rays) and nearer\n{}\n{}\n{crops}again: {again}\n",
-                table::text(&sweeps),
-                chart::lines(&sweeps)
-            )
-        };
-        output::to_stdout(text.as_bytes())?;
-        if self.json || self.csv {
-            eprint!("{crops}");
-        }
-        let done: usize = sweeps.iter().map(|s| s.steps.len()).sum();
+        self.write(&found, &lab.world.scene.name, &base.image, &again)?;
+        let done: usize = found.sweeps.iter().map(|s| s.steps.len()).sum();
         if done < wanted {
             eprintln!(
                 "warning: the budget of {} s ended before {} of {wanted} settings (raise --budget, or lower --size or --most)",
@@ -184,6 +148,42 @@ impl Cost {
             return Ok(Completion::Cut);
         }
         Ok(Completion::Whole)
+    }
+
+    /// Writes what was found, in the form that was asked for.
+    fn write(&self, found: &Found, scene: &str, image: &Image, again: &str) -> Result<(), Failure> {
+        let Found {
+            sweeps,
+            comparisons,
+        } = found;
+        let title = format!("{scene}, {}x{}", image.width, image.height);
+        if let Some(path) = &self.plot {
+            let svg = plot::svg(&title, sweeps);
+            output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
+        }
+        let mut crops = String::new();
+        if comparisons.is_empty() && self.strip.is_some() {
+            eprintln!("warning: no strip: nothing that it could show was measured");
+        } else if let Some(path) = &self.strip {
+            output::write_png(path, &equal_time::picture(comparisons), image.exposure)?;
+            crops = table::comparisons(comparisons, path);
+        }
+        let text = if self.json {
+            format!("{:#}\n", record::json(sweeps, again))
+        } else if self.csv {
+            record::csv(sweeps)
+        } else {
+            format!(
+                "{title}; * nothing in its table is both cheaper (in rays) and nearer\n{}\n{}\n{crops}again: {again}\n",
+                table::text(sweeps),
+                chart::lines(sweeps)
+            )
+        };
+        output::to_stdout(text.as_bytes())?;
+        if self.json || self.csv {
+            eprint!("{crops}");
+        }
+        Ok(())
     }
 
     /// Measures group after group until the first of two ends, and renders strips until the second. Each group may take its

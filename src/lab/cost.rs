@@ -39,7 +39,7 @@ pub struct Lab {
 enum Other {
     /// Another structure over the same shapes.
     Accel(Box<Accel>),
-    /// The same shapes, tested with other arithmetic.
+    /// A world of these shapes, tested with other arithmetic.
     World(Box<World>),
 }
 

@@ -14,24 +14,23 @@ const COLORS: [&str; 7] = [
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
 ];
 
+/// The part of the plane that is shown, in powers of ten: seconds to the right, RMSE upwards.
+struct Axes {
+    seconds: (f64, f64),
+    rmse: (f64, f64),
+}
+
+/// A sweep by its name, with log10 of seconds and of RMSE of each step.
+type Line = (String, Vec<[f64; 2]>);
+
 /// The sweeps that have an error, each a line: seconds to the right, RMSE upwards, both by powers of ten.
 pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
-    let lines: Vec<(String, Vec<[f64; 2]>)> = sweeps
+    let lines: Vec<Line> = sweeps
         .iter()
         .map(|sweep| (sweep.parameter.name(), points(sweep)))
         .filter(|(_, points)| !points.is_empty())
         .collect();
-    let all = || lines.iter().flat_map(|(_, points)| points);
-    let (x_range, y_range) = if lines.is_empty() {
-        ((0.0, 1.0), (0.0, 1.0))
-    } else {
-        (range(all().map(|p| p[0])), range(all().map(|p| p[1])))
-    };
-    let x = |v: f64| MARGIN + (v - x_range.0) / (x_range.1 - x_range.0) * (WIDTH - 2.0 * MARGIN);
-    let y = |v: f64| {
-        HEIGHT - MARGIN - (v - y_range.0) / (y_range.1 - y_range.0) * (HEIGHT - 2.0 * MARGIN)
-    };
-
+    let axes = Axes::around(&lines);
     let mut out = String::new();
     let mut add = |line: String| {
         // Writing to a string cannot fail.
@@ -47,37 +46,77 @@ pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
         r#"<text x="{MARGIN}" y="24" font-size="16">{}</text>"#,
         escape(title)
     ));
-    for power in powers(x_range) {
-        let at = x(power);
+    axes.draw(&mut add);
+    for (line, (i, color)) in lines.iter().zip(COLORS.iter().cycle().enumerate()) {
+        axes.draw_line(&mut add, line, i, color);
+    }
+    add("</svg>".to_owned());
+    out
+}
+
+impl Axes {
+    fn around(lines: &[Line]) -> Self {
+        let all = || lines.iter().flat_map(|(_, points)| points);
+        let (seconds, rmse) = if lines.is_empty() {
+            ((0.0, 1.0), (0.0, 1.0))
+        } else {
+            (range(all().map(|p| p[0])), range(all().map(|p| p[1])))
+        };
+        Self { seconds, rmse }
+    }
+
+    fn x(&self, v: f64) -> f64 {
+        let (low, high) = self.seconds;
+        MARGIN + (v - low) / (high - low) * (WIDTH - 2.0 * MARGIN)
+    }
+
+    fn y(&self, v: f64) -> f64 {
+        let (low, high) = self.rmse;
+        HEIGHT - MARGIN - (v - low) / (high - low) * (HEIGHT - 2.0 * MARGIN)
+    }
+
+    /// A grid with a line for each power of ten, and its labels.
+    fn draw(&self, add: &mut impl FnMut(String)) {
+        for power in powers(self.seconds) {
+            let at = self.x(power);
+            add(format!(
+                r##"<path d="M{at:.1} {MARGIN}V{:.1}" stroke="#dddddd"/>"##,
+                HEIGHT - MARGIN
+            ));
+            add(format!(
+                r#"<text x="{at:.1}" y="{:.1}" text-anchor="middle">1e{power} s</text>"#,
+                HEIGHT - MARGIN + 18.0
+            ));
+        }
+        for power in powers(self.rmse) {
+            let at = self.y(power);
+            add(format!(
+                r##"<path d="M{MARGIN} {at:.1}H{:.1}" stroke="#dddddd"/>"##,
+                WIDTH - MARGIN
+            ));
+            add(format!(
+                r#"<text x="{:.1}" y="{:.1}" text-anchor="end">1e{power}</text>"#,
+                MARGIN - 6.0,
+                at + 4.0
+            ));
+        }
         add(format!(
-            r##"<path d="M{at:.1} {MARGIN}V{:.1}" stroke="#dddddd"/>"##,
-            HEIGHT - MARGIN
-        ));
-        add(format!(
-            r#"<text x="{at:.1}" y="{:.1}" text-anchor="middle">1e{power} s</text>"#,
-            HEIGHT - MARGIN + 18.0
+            r#"<text x="{MARGIN}" y="{:.1}">RMSE</text>"#,
+            MARGIN - 8.0
         ));
     }
-    for power in powers(y_range) {
-        let at = y(power);
-        add(format!(
-            r##"<path d="M{MARGIN} {at:.1}H{:.1}" stroke="#dddddd"/>"##,
-            WIDTH - MARGIN
-        ));
-        add(format!(
-            r#"<text x="{:.1}" y="{:.1}" text-anchor="end">1e{power}</text>"#,
-            MARGIN - 6.0,
-            at + 4.0
-        ));
-    }
-    add(format!(
-        r#"<text x="{MARGIN}" y="{:.1}">RMSE</text>"#,
-        MARGIN - 8.0
-    ));
-    for ((name, points), (i, color)) in lines.iter().zip(COLORS.iter().cycle().enumerate()) {
+
+    /// Sweep number `i`: a line with a dot for each step, and its name.
+    fn draw_line(
+        &self,
+        add: &mut impl FnMut(String),
+        (name, points): &Line,
+        i: usize,
+        color: &str,
+    ) {
         let path: Vec<String> = points
             .iter()
-            .map(|[px, py]| format!("{:.1} {:.1}", x(*px), y(*py)))
+            .map(|[px, py]| format!("{:.1} {:.1}", self.x(*px), self.y(*py)))
             .collect();
         add(format!(
             r#"<path d="M{}" fill="none" stroke="{color}" stroke-width="2"/>"#,
@@ -86,8 +125,8 @@ pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
         for [px, py] in points {
             add(format!(
                 r#"<circle cx="{:.1}" cy="{:.1}" r="3.5" fill="{color}"/>"#,
-                x(*px),
-                y(*py)
+                self.x(*px),
+                self.y(*py)
             ));
         }
         let line = MARGIN + 14.0 + 16.0 * i as f64;
@@ -97,8 +136,6 @@ pub fn svg(title: &str, sweeps: &[Sweep]) -> String {
             escape(name)
         ));
     }
-    add("</svg>".to_owned());
-    out
 }
 
 /// log10 of seconds and of RMSE, where there is an error.

@@ -29,7 +29,7 @@ impl Rgb {
         Self { r, g, b }
     }
 
-    /// The same value in each channel.
+    /// Grey: one value in each channel.
     pub const fn grey(value: f64) -> Self {
         Self::new(value, value, value)
     }
@@ -59,7 +59,7 @@ impl Rgb {
         self.channels().iter().all(|c| c.is_finite())
     }
 
-    /// The same function applied to each channel.
+    /// A function applied to each channel.
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self::new(f(self.r), f(self.g), f(self.b))
     }

@@ -68,7 +68,7 @@ impl Interaction {
         self.geometric_normal.abs().dot(self.error)
     }
 
-    /// The same place with an error that reaches at least this far along the normal.
+    /// Hit point with an error that reaches at least this far along the normal.
     #[must_use]
     pub fn with_normal_error(mut self, error: f64) -> Self {
         let more = (error - self.normal_error()).max(0.0);
