@@ -5,47 +5,55 @@
 
 use super::light_sampler::{LightSampler, ShadowRay};
 use super::shadow_batch::ShadowRays;
-use super::state::{Path, Tracer};
+use super::state::{Path, Tracer, Vertex};
 use crate::math::Rgb;
-use crate::probe::{Absence, Probe, RayKind};
-use crate::shading::{Effect, ShadingPoint};
+use crate::probe::{Absence, Event, Probe, RayKind, tell};
+use crate::shading::Effect;
 
 impl<P: Probe> Tracer<'_, P> {
-    /// Adds the light that arrives at a point. `is_first`: it is the closest hit of its ray, of which something may be prefetched.
+    /// Adds the light that arrives at a vertex. `is_first`: it is the closest hit of its ray, of which something may be prefetched.
     #[inline]
-    pub(super) fn direct_light(
-        &mut self,
-        sum: &mut Rgb,
-        point: &ShadingPoint,
-        path: &Path,
-        is_first: bool,
-    ) {
+    pub(super) fn direct_light(&mut self, sum: &mut Rgb, vertex: &Vertex, is_first: bool) {
+        let Vertex { path, point } = vertex;
         let prefetched = path.prefetched.filter(|_| is_first);
         for light in 0..self.world.scene.lights.len() as u32 {
             if let Some(rays) = prefetched.and_then(|pixel| pixel.shadow_rays(light)) {
-                self.add_light(sum, point, path, light, rays);
+                self.add_light(sum, vertex, light, rays);
                 continue;
             }
             let id = (path.id, light);
             let sampler = LightSampler::new(&self.world.scene, self.settings, point, id);
             if sampler.count == 1 {
-                self.add_light(sum, point, path, light, &sampler);
+                self.add_light(sum, vertex, light, &sampler);
             } else {
-                self.add_area_light(sum, point, path, light, &sampler);
+                self.add_area_light(sum, vertex, light, &sampler);
             }
         }
     }
 
+    /// Adds a light that has many samples, traced together if the probe is silent. (Never inlined, so that scenes without area
+    /// lights pay nothing for it.)
+    #[inline(never)]
+    fn add_area_light(&mut self, sum: &mut Rgb, at: &Vertex, light: u32, sampler: &LightSampler) {
+        let samples = sampler.count;
+        tell!(self.probe, Event::LightSamples { light, samples });
+        if P::LISTENS || !self.settings.effects.has(Effect::Shadows) {
+            return self.add_light(sum, at, light, sampler);
+        }
+        let mut batch = std::mem::take(&mut self.shadow_batch);
+        let affordable = self.rays.left().min(u64::from(samples)) as u32;
+        let rays = batch.trace_all(self.world, sampler, affordable);
+        self.add_light(sum, at, light, rays);
+        self.rays.truncated |= affordable < samples;
+        self.shadow_batch = batch;
+    }
+
     /// Adds a light: for each of its samples whose shadow ray arrives, the diffuse and the specular term.
     #[inline(always)]
-    pub(super) fn add_light(
-        &mut self,
-        sum: &mut Rgb,
-        point: &ShadingPoint,
-        path: &Path,
-        light: u32,
-        rays: &(impl ShadowRays + ?Sized),
-    ) {
+    fn add_light<R>(&mut self, sum: &mut Rgb, at: &Vertex, light: u32, rays: &R)
+    where
+        R: ShadowRays + ?Sized,
+    {
         let casts_shadows = self.settings.effects.has(Effect::Shadows);
         for sample in 0..rays.count() {
             if self.rays.is_spent() {
@@ -57,8 +65,8 @@ impl<P: Probe> Tracer<'_, P> {
             match ray {
                 Err(reason) => self.absent(RayKind::Light, light, *reason),
                 Ok(ray) => {
-                    if !known.unwrap_or_else(|| self.is_occluded(path, ray, (light, sample))) {
-                        point.eval(&ray.light, ray.n_dot_l, |term| {
+                    if !known.unwrap_or_else(|| self.is_occluded(at.path, ray, (light, sample))) {
+                        at.point.eval(&ray.light, ray.n_dot_l, |term| {
                             self.add_term(sum, term, (light, sample));
                         });
                     }

@@ -1,11 +1,9 @@
 //! Shadow-ray batch: rays to one light that are traced together, those to an area sorted by direction (Morton order).
 
 use super::light_sampler::{LightSampler, ShadowRay};
-use super::state::{Path, Tracer};
 use crate::accel::PACKET_SIZE;
-use crate::math::{DVec3, Interval, Ray, Rgb};
-use crate::probe::{Absence, Event, Probe, tell};
-use crate::shading::{Effect, ShadingPoint};
+use crate::math::{DVec3, Interval, Ray};
+use crate::probe::Absence;
 use crate::world::World;
 
 /// Rays that are sorted together: more would start too far from each other.
@@ -67,34 +65,6 @@ impl ShadowRays for [Prefetched] {
     }
 }
 
-impl<P: Probe> Tracer<'_, P> {
-    /// Adds a light that has many samples, traced together if the probe is silent. (Never inlined, so that scenes without area
-    /// lights pay nothing for it.)
-    #[inline(never)]
-    pub(super) fn add_area_light(
-        &mut self,
-        sum: &mut Rgb,
-        point: &ShadingPoint,
-        path: &Path,
-        light: u32,
-        sampler: &LightSampler,
-    ) {
-        let samples = sampler.count;
-        tell!(self.probe, Event::LightSamples { light, samples });
-        if P::LISTENS || !self.settings.effects.has(Effect::Shadows) {
-            return self.add_light(sum, point, path, light, sampler);
-        }
-        let mut batch = std::mem::take(&mut self.shadow_batch);
-        batch.clear();
-        let affordable = self.rays.left().min(u64::from(samples)) as u32;
-        batch.sample(sampler, affordable);
-        batch.trace(self.world, true);
-        self.add_light(sum, point, path, light, batch.prefetched());
-        self.rays.truncated |= affordable < samples;
-        self.shadow_batch = batch;
-    }
-}
-
 /// Shadow rays that are traced together; memory that is used again and again.
 #[derive(Default)]
 pub struct ShadowBatch {
@@ -133,6 +103,19 @@ impl ShadowBatch {
             let occluded = false;
             self.prefetched.push(Prefetched { ray, occluded });
         }
+    }
+
+    /// Samples and traces the first `count` shadow rays of a sampler of an area light, and no others.
+    pub fn trace_all(
+        &mut self,
+        world: &World,
+        sampler: &LightSampler,
+        count: u32,
+    ) -> &[Prefetched] {
+        self.clear();
+        self.sample(sampler, count);
+        self.trace(world, true);
+        &self.prefetched
     }
 
     /// Adds `count` rays that are not sent, for a pixel whose eye ray hits nothing.

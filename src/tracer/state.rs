@@ -9,7 +9,7 @@ use crate::math::{Ray, Rgb};
 use crate::probe::{Absence, Event, NONE, Probe, RayKind, RayRecord, Term, tell};
 use crate::scene::limits::MAX_DEPTH;
 use crate::scene::{Budget, Settings};
-use crate::shading::{FresnelSplit, Secondary};
+use crate::shading::{FresnelSplit, Secondary, ShadingPoint};
 use crate::world::{OpenMedia, RayBudget, Scratch, World};
 
 /// Ray tracer of one pixel after another, which tells a probe of all that happens.
@@ -42,6 +42,12 @@ pub(super) struct Path<'b> {
     pub(super) id: PathId,
     /// What was traced before its turn, for the eye rays of a tile.
     pub(super) prefetched: Option<PixelBatch<'b>>,
+}
+
+/// Vertex of a path: where it meets a surface.
+pub(super) struct Vertex<'a> {
+    pub(super) path: &'a Path<'a>,
+    pub(super) point: ShadingPoint<'a>,
 }
 
 impl Path<'_> {

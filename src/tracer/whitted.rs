@@ -4,12 +4,15 @@
 //!
 //! The terms are those of a [`ShadingPoint`]; the sum over lights is in [`super::direct`].
 
-use super::state::{Path, Tracer};
+use super::state::{Path, Tracer, Vertex};
 use crate::math::{Ray, Rgb};
 use crate::probe::RayKind::{self, Reflected, Transmitted};
 use crate::probe::{Absence, Event, NONE, Probe, Term, counting, tell};
 use crate::shading::{Secondary, ShadingPoint};
 use crate::world::{Found, Interface, NextHit, OpenMedia};
+
+/// Secondary ray, or why there is none.
+type Wanted = Result<Secondary, Absence>;
 
 impl<P: Probe> Tracer<'_, P> {
     /// Radiance that comes back along a ray.
@@ -56,17 +59,18 @@ impl<P: Probe> Tracer<'_, P> {
         let scene = &self.world.scene;
         let material = scene.material_of(surface.hit.primitive);
         let point = ShadingPoint::new(surface.at, material, self.settings.effects);
+        let vertex = Vertex { path, point };
         let mut sum = Rgb::BLACK;
         // What the surface sends out itself, and its share of the light that is everywhere.
         self.add(&mut sum, point.emitted());
         self.add(&mut sum, point.ambient(scene.ambient));
         // What each light adds, unless something is in its way.
-        self.direct_light(&mut sum, &point, path, surface.is_first);
+        self.direct_light(&mut sum, &vertex, surface.is_first);
         // What comes from the mirrored and from the refracted direction.
         if let Some(interface) = surface.interface.filter(|_| counting::REFRACTION) {
-            self.refract(&mut sum, path, &point, interface);
+            self.refract(&mut sum, &vertex, interface);
         } else {
-            sum += self.secondary(path, &point, Reflected, point.reflected(None), path.media);
+            sum += self.secondary(&vertex, Reflected, point.reflected(None), path.media);
             self.absent(Transmitted, NONE, Absence::NoTransmission);
         }
         self.done(sum)
@@ -74,26 +78,19 @@ impl<P: Probe> Tracer<'_, P> {
 
     /// Adds the reflected and the transmitted ray where media change. (Never inlined, so that opaque surfaces pay nothing.)
     #[inline(never)]
-    fn refract(&mut self, sum: &mut Rgb, path: &Path, point: &ShadingPoint, media: &Interface) {
+    fn refract(&mut self, sum: &mut Rgb, vertex: &Vertex, media: &Interface) {
+        let Vertex { path, point } = vertex;
         let split = point.split(self.settings.fresnel, media.ior);
         self.tell_split(&split);
-        let (reflected, transmitted) = (point.reflected(Some(&split)), point.transmitted(&split));
-        *sum += self.secondary(path, point, Reflected, reflected, path.media);
-        *sum += self.secondary(path, point, Transmitted, transmitted, media.beyond);
+        *sum += self.secondary(vertex, Reflected, point.reflected(Some(&split)), path.media);
+        *sum += self.secondary(vertex, Transmitted, point.transmitted(&split), media.beyond);
     }
 
     /// Weight x radiance of a secondary ray that the surface calls for; black if a limit forbids it. (Always inlined: that there
     /// are transmitted rays, too, costs nothing where surfaces are opaque.)
     #[inline(always)]
-    fn secondary(
-        &mut self,
-        path: &Path,
-        point: &ShadingPoint,
-        kind: RayKind,
-        ray: Result<Secondary, Absence>,
-        media: OpenMedia,
-    ) -> Rgb {
-        let allowed = ray.and_then(|ray| self.within_limits(path, ray));
+    fn secondary(&mut self, from: &Vertex, kind: RayKind, ray: Wanted, media: OpenMedia) -> Rgb {
+        let allowed = ray.and_then(|ray| self.within_limits(from.path, ray));
         let Secondary { direction, weight } = match allowed {
             Ok(ray) => ray,
             Err(reason) => {
@@ -101,9 +98,9 @@ impl<P: Probe> Tracer<'_, P> {
                 return Rgb::BLACK;
             }
         };
-        let ray = Ray::new(point.at.origin_towards(direction), direction);
+        let ray = Ray::new(from.point.at.origin_towards(direction), direction);
         self.rays.ray();
-        let medium = self.medium(&ray, &media);
-        weight * self.radiance(&mut path.then(kind, ray, weight, (media, medium)))
+        let media = (media, self.medium(&ray, &media));
+        weight * self.radiance(&mut from.path.then(kind, ray, weight, media))
     }
 }

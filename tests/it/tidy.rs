@@ -72,6 +72,11 @@ fn the_rule_of_ways_out_can_fail() {
 }
 
 #[test]
+fn no_file_needs_one_that_needs_it() {
+    holds(&circles::told(&house()));
+}
+
+#[test]
 fn the_rule_of_circles_can_fail() {
     let told = |a, b, layer| {
         let files = [
