@@ -4,14 +4,17 @@ use crate::geometry::Hit;
 
 /// Collector of a search's hits.
 pub trait Collect {
-    /// Whether the first hit ends the search.
-    const ANY: bool;
-
     /// The closest hit so far, if what lies behind it is of no use.
     fn closest(&self) -> Option<&Hit>;
 
     /// Takes a hit that is closer than [`Collect::closest`].
     fn add(&mut self, hit: Hit);
+
+    /// Whether the search is over, whatever else there is.
+    #[inline(always)]
+    fn is_over(&self) -> bool {
+        false
+    }
 }
 
 /// The first hit that turns up: all that a shadow ray asks for.
@@ -23,8 +26,6 @@ pub struct AllHits<'a>(pub &'a mut Vec<Hit>);
 
 /// The closest hit; of equal t the one with the smallest primitive id.
 impl Collect for Option<Hit> {
-    const ANY: bool = false;
-
     #[inline(always)]
     fn closest(&self) -> Option<&Hit> {
         self.as_ref()
@@ -37,22 +38,23 @@ impl Collect for Option<Hit> {
 }
 
 impl Collect for AnyHit {
-    const ANY: bool = true;
-
     #[inline(always)]
     fn closest(&self) -> Option<&Hit> {
-        self.0.as_ref()
+        None
     }
 
     #[inline(always)]
     fn add(&mut self, hit: Hit) {
         self.0 = Some(hit);
     }
+
+    #[inline(always)]
+    fn is_over(&self) -> bool {
+        self.0.is_some()
+    }
 }
 
 impl Collect for AllHits<'_> {
-    const ANY: bool = false;
-
     #[inline(always)]
     fn closest(&self) -> Option<&Hit> {
         None

@@ -24,7 +24,7 @@ impl List {
     pub fn search<C: Collect, P: Probe>(&self, query: &Query, found: &mut C, probe: &mut P) {
         for primitive in 0..self.count {
             query.test(primitive, found, probe);
-            if C::ANY && found.closest().is_some() {
+            if found.is_over() {
                 return;
             }
         }

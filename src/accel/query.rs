@@ -63,7 +63,7 @@ impl<'a> Query<'a> {
     ) -> bool {
         for &primitive in primitives {
             self.test(primitive, found, probe);
-            if C::ANY && found.closest().is_some() {
+            if found.is_over() {
                 return true;
             }
         }

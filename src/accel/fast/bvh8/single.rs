@@ -161,7 +161,7 @@ impl<C: Collect, P: Probe> Search<'_, C, P> {
             candidates &= candidates - 1;
             self.query
                 .test(leaf.primitives[lane], self.found, self.probe);
-            if C::ANY && self.found.closest().is_some() {
+            if self.found.is_over() {
                 return true;
             }
         }
