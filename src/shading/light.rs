@@ -100,7 +100,16 @@ impl LightKind {
 
     /// True if it shines from more than one point.
     pub fn is_area(&self) -> bool {
-        counting::AREAS && matches!(self, Self::Area(_))
+        self.area().is_some()
+    }
+
+    /// Area of an area light.
+    #[inline]
+    pub fn area(&self) -> Option<&Area> {
+        match self {
+            Self::Area(area) if counting::AREAS => Some(area),
+            _ => None,
+        }
     }
 
     fn from_point(

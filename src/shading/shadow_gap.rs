@@ -8,6 +8,7 @@ impl Arithmetic {
     /// `distance` metres from `point` and met at an angle of this cosine; the ray starts `moved` metres from there. With our
     /// arithmetic the end of the ray is clear of the light by the errors there; it is the start that may be moved by more,
     /// off a surface that is larger than all else.
+    #[inline]
     pub fn short_of_light(&self, point: DVec3, moved: f64, (distance, cos): (f64, f64)) -> f64 {
         let by_offset = match self.offset {
             Offset::Fixed(_) => moved / cos.max(0.01),

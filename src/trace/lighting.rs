@@ -3,34 +3,31 @@
 use super::View;
 use crate::probe::RayKind;
 use crate::shading::{LightSample, ShadingPoint};
-use crate::tracer::light_sampler::LightSampler;
+use crate::tracer::light_sampler::{AreaSampler, LightSampler, PointSampler};
 use crate::tracer::path_id::PathId;
 
 impl View<'_> {
     /// A sample of a light at the hit of a node; `None` if the light stands just there.
     pub fn light_sample(self, node: u32, (light, sample): (u32, u32)) -> Option<LightSample> {
-        self.with_sampler(node, light, |sampler| sampler.light(sample))
-    }
-
-    /// P, the projected solid angle of a light at the hit of a node, if its samples are chosen by that.
-    #[allow(clippy::redundant_closure_for_method_calls)] // The method's lifetime is too narrow.
-    pub fn projected_solid_angle(self, node: u32, light: u32) -> Option<f64> {
-        self.with_sampler(node, light, |sampler| sampler.projected_solid_angle())
-    }
-
-    /// Asks the sampler of a light at the hit of a node.
-    fn with_sampler<T>(
-        self,
-        node: u32,
-        light: u32,
-        ask: impl FnOnce(&LightSampler) -> Option<T>,
-    ) -> Option<T> {
         let scene = &self.world.scene;
-        scene.lights.get(light as usize)?;
+        let kind = &scene.lights.get(light as usize)?.kind;
         let hit = self.surface_hit(node)?;
         let point = ShadingPoint::new(&hit.at, hit.material, self.settings.effects);
         let id = (self.path_id(node), light);
-        ask(&LightSampler::new(scene, self.settings, &point, id))
+        match kind.area() {
+            Some(area) => AreaSampler::new(self.settings, &point, area, id).light(sample),
+            None => PointSampler::new(self.settings, &point, kind).light(sample),
+        }
+    }
+
+    /// P, the projected solid angle of a light at the hit of a node, if its samples are chosen by that.
+    pub fn projected_solid_angle(self, node: u32, light: u32) -> Option<f64> {
+        let scene = &self.world.scene;
+        let area = scene.lights.get(light as usize)?.kind.area()?;
+        let hit = self.surface_hit(node)?;
+        let point = ShadingPoint::new(&hit.at, hit.material, self.settings.effects);
+        let id = (self.path_id(node), light);
+        AreaSampler::new(self.settings, &point, area, id).projected_solid_angle()
     }
 
     /// The key of a node's points on area lights: its pixel, its sample and its path from the eye.

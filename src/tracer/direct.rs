@@ -3,12 +3,12 @@
 //! Source: Whitted 1980 for one shadow ray to each light; Cook, Porter and Carpenter 1984, "Distributed ray tracing", for many
 //! to a light that has an area.
 
-use super::light_sampler::{LightSampler, ShadowRay};
+use super::light_sampler::{AreaSampler, LightSampler, PointSampler, ShadowRay};
 use super::shadow_batch::ShadowRays;
 use super::state::{Path, Tracer, Vertex};
 use crate::math::Rgb;
 use crate::probe::{Absence, Event, Probe, RayKind, tell};
-use crate::shading::Effect;
+use crate::shading::{Area, Effect};
 
 impl<P: Probe> Tracer<'_, P> {
     /// Adds the light that arrives at a vertex. `is_first`: it is the closest hit of its ray, of which something may be prefetched.
@@ -21,28 +21,31 @@ impl<P: Probe> Tracer<'_, P> {
                 self.add_light(sum, vertex, light, rays);
                 continue;
             }
-            let id = (path.id, light);
-            let sampler = LightSampler::new(&self.world.scene, self.settings, point, id);
-            if sampler.count == 1 {
-                self.add_light(sum, vertex, light, &sampler);
+            let kind = &self.world.scene.lights[light as usize].kind;
+            if let Some(area) = kind.area() {
+                self.add_area_light(sum, vertex, light, area);
             } else {
-                self.add_area_light(sum, vertex, light, &sampler);
+                let sampler = PointSampler::new(self.settings, point, kind);
+                self.add_light(sum, vertex, light, &sampler);
             }
         }
     }
 
-    /// Adds a light that has many samples, traced together if the probe is silent. (Never inlined, so that scenes without area
+    /// Adds an area light. Many samples are traced together if the probe is silent. (Never inlined, so that scenes without area
     /// lights pay nothing for it.)
     #[inline(never)]
-    fn add_area_light(&mut self, sum: &mut Rgb, at: &Vertex, light: u32, sampler: &LightSampler) {
-        let samples = sampler.count;
-        tell!(self.probe, Event::LightSamples { light, samples });
-        if P::LISTENS || !self.settings.effects.has(Effect::Shadows) {
-            return self.add_light(sum, at, light, sampler);
+    fn add_area_light(&mut self, sum: &mut Rgb, at: &Vertex, light: u32, area: &Area) {
+        let sampler = AreaSampler::new(self.settings, &at.point, area, (at.path.id, light));
+        let samples = sampler.samples();
+        if samples > 1 {
+            tell!(self.probe, Event::LightSamples { light, samples });
+        }
+        if P::LISTENS || samples == 1 || !self.settings.effects.has(Effect::Shadows) {
+            return self.add_light(sum, at, light, &sampler);
         }
         let mut batch = std::mem::take(&mut self.shadow_batch);
         let affordable = self.rays.left().min(u64::from(samples)) as u32;
-        let rays = batch.trace_all(self.world, sampler, affordable);
+        let rays = batch.trace_all(self.world, &sampler, affordable);
         self.add_light(sum, at, light, rays);
         self.rays.truncated |= affordable < samples;
         self.shadow_batch = batch;

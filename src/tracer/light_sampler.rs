@@ -5,7 +5,7 @@
 
 use super::path_id::PathId;
 use crate::math::{DVec3, Ray};
-use crate::probe::{Absence, ProjectedShare, counting};
+use crate::probe::{Absence, ProjectedShare};
 use crate::sampling::{LightSampling, Points, SampleSet, Sampler, stream};
 use crate::scene::{Effect, Scene, Settings};
 use crate::shading::{Area, LightKind, LightSample, ProjectedPolygon, ShadingPoint};
@@ -21,25 +21,37 @@ pub struct ShadowRay {
     pub n_dot_l: f64,
 }
 
+/// Shadow ray of a sample, or why none is sent.
+pub type SampledRay = Result<ShadowRay, Absence>;
+
 /// Samples of one light at one point.
-pub struct LightSampler<'a> {
+pub trait LightSampler {
+    /// Number of samples.
+    fn samples(&self) -> u32;
+
+    /// The light at the point, sample number `sample`, whatever stands in between and whichever side it is on.
+    fn light(&self, sample: u32) -> Option<LightSample>;
+
+    /// Shadow ray number `sample`, or why none is sent.
+    fn shadow_ray(&self, sample: u32) -> SampledRay;
+}
+
+/// Sampler of a light without area: it has one sample.
+pub struct PointSampler<'a> {
     settings: &'a Settings,
     point: &'a ShadingPoint<'a>,
     kind: &'a LightKind,
-    area: Option<AreaSampler<'a>>,
-    /// Number of samples.
-    pub count: u32,
 }
 
-/// Common part of the samples of an area light at one point.
-struct AreaSampler<'a> {
+/// Sampler of an area light.
+pub struct AreaSampler<'a> {
+    settings: &'a Settings,
+    point: &'a ShadingPoint<'a>,
     area: &'a Area,
     /// The light's polygon as the surface sees it, if points are chosen by that. (Boxed: it is large, and nearly always none.)
     projected: Option<Box<ProjectedPolygon>>,
     /// Points on the light, and the number of the first one here; none if its middle stands for all.
     points: Option<(Points, u32)>,
-    /// Share of one sample in the mean.
-    share: f64,
     origin: ShadowOrigin,
 }
 
@@ -61,118 +73,132 @@ pub fn count(scene: &Scene, settings: &Settings, light: u32) -> u32 {
     }
 }
 
-impl<'a> LightSampler<'a> {
-    /// Sampler of light number `light` at `point`, for the ray of a path.
+impl<'a> PointSampler<'a> {
+    /// Sampler of a light without area at `point`.
     #[inline]
-    pub fn new(
-        scene: &'a Scene,
-        settings: &'a Settings,
-        point: &'a ShadingPoint<'a>,
-        (id, light): (PathId, u32),
-    ) -> Self {
-        let kind = &scene.lights[light as usize].kind;
-        let area = match kind {
-            LightKind::Area(area) if counting::AREAS => {
-                Some(AreaSampler::new(area, settings, point, (id, light)))
-            }
-            _ => None,
-        };
+    pub fn new(settings: &'a Settings, point: &'a ShadingPoint<'a>, kind: &'a LightKind) -> Self {
         Self {
             settings,
             point,
             kind,
-            area,
-            count: count(scene, settings, light),
         }
     }
+}
 
-    /// The light at the point, sample number `sample`, whatever stands in between and whichever side it is on.
+impl LightSampler for PointSampler<'_> {
     #[inline]
-    pub fn light(&self, sample: u32) -> Option<LightSample> {
-        match &self.area {
-            Some(area) if counting::AREAS => area.light(self.point, sample),
-            _ => self.kind.sample(self.point.at.point),
+    fn samples(&self) -> u32 {
+        1
+    }
+
+    #[inline]
+    fn light(&self, _: u32) -> Option<LightSample> {
+        self.kind.sample(self.point.at.point)
+    }
+
+    #[inline]
+    fn shadow_ray(&self, _: u32) -> SampledRay {
+        let origin = || ShadowOrigin::of(self.point);
+        shadow_ray(self.settings, self.point, || self.light(0), origin)
+    }
+}
+
+impl<'a> AreaSampler<'a> {
+    /// Sampler of light number `light`, with this `area`, at `point`, for the ray of a path.
+    pub fn new(
+        settings: &'a Settings,
+        point: &'a ShadingPoint<'a>,
+        area: &'a Area,
+        (id, light): (PathId, u32),
+    ) -> Self {
+        let soft = settings.effects.has(Effect::SoftShadows);
+        Self {
+            settings,
+            point,
+            area,
+            projected: projected(area, settings, point),
+            points: soft.then(|| points(settings, id, light)),
+            origin: ShadowOrigin::of(point),
         }
     }
 
     /// P, the projected solid angle of the light, if its samples are chosen in proportion to what they bring.
     pub fn projected_solid_angle(&self) -> Option<f64> {
-        let polygon = self.area.as_ref()?.projected.as_ref()?;
-        Some(polygon.area)
-    }
-
-    /// Shadow ray number `sample`, or why none is sent.
-    #[inline]
-    pub fn shadow_ray(&self, sample: u32) -> Result<ShadowRay, Absence> {
-        if !self.point.shows_lights() {
-            return Err(Absence::NoLocalLight);
-        }
-        let Some(light) = self.light(sample) else {
-            return Err(Absence::FacingAway { n_dot_l: 0.0 });
-        };
-        // The light must be before the surface by both normals, or it would leak through the back of a smooth mesh.
-        let at = self.point.at;
-        let n_dot_l = at.normal.dot(light.direction);
-        let lowest = n_dot_l.min(at.geometric_normal.dot(light.direction));
-        if lowest <= 0.0 {
-            return Err(Absence::FacingAway { n_dot_l: lowest });
-        }
-        if light.intensity.is_black() {
-            let cos_angle = light.cos_angle;
-            return Err(Absence::OutsideCone { cos_angle });
-        }
-        let area = self.area.as_ref().filter(|_| counting::AREAS);
-        let ShadowOrigin { origin, offset } =
-            area.map_or_else(|| ShadowOrigin::of(self.point), |area| area.origin);
-        let arrival = (light.distance, light.cos_angle);
-        let arithmetic = &self.settings.arithmetic;
-        let distance = light.distance - arithmetic.short_of_light(at.point, offset, arrival);
-        Ok(ShadowRay {
-            ray: Ray::new(origin, light.direction),
-            light: LightSample { distance, ..light },
-            n_dot_l,
-        })
+        self.projected.as_ref().map(|polygon| polygon.area)
     }
 }
 
-impl<'a> AreaSampler<'a> {
-    /// (Never inlined, so that scenes without area lights pay nothing for it.)
-    #[inline(never)]
-    fn new(
-        area: &'a Area,
-        settings: &Settings,
-        point: &ShadingPoint,
-        (id, light): (PathId, u32),
-    ) -> Self {
-        let soft = settings.effects.has(Effect::SoftShadows);
-        Self {
-            area,
-            projected: projected(area, settings, point),
-            points: soft.then(|| points(settings, id, light)),
-            share: 1.0 / f64::from(settings.rays_to_area()),
-            origin: ShadowOrigin::of(point),
-        }
+impl LightSampler for AreaSampler<'_> {
+    #[inline]
+    fn samples(&self) -> u32 {
+        self.settings.rays_to_area()
     }
 
-    /// Sample number `sample`, as a share of the mean.
+    /// As a share of the mean.
     #[inline(never)]
-    fn light(&self, point: &ShadingPoint, sample: u32) -> Option<LightSample> {
+    fn light(&self, sample: u32) -> Option<LightSample> {
         let points = self.points.as_ref();
         let u = points.map_or([0.5; 2], |(points, first)| points.at(first + sample));
-        let at = point.at;
+        let at = self.point.at;
         let light = match &self.projected {
             Some(polygon) => self
                 .area
                 .sample_projected((at.point, at.normal), polygon, u)?,
             None => self.area.sample(at.point, u)?,
         };
-        let share = self.share;
+        let share = 1.0 / f64::from(self.samples());
         Some(LightSample {
             intensity: light.intensity * share,
             projected: light.projected.map(|p| ProjectedShare { share, ..p }),
             ..light
         })
     }
+
+    #[inline]
+    fn shadow_ray(&self, sample: u32) -> SampledRay {
+        let light = || self.light(sample);
+        shadow_ray(self.settings, self.point, light, || self.origin)
+    }
+}
+
+/// Shadow ray from a point to a sample of a light, or why none is sent.
+#[inline(always)]
+fn shadow_ray(
+    settings: &Settings,
+    point: &ShadingPoint,
+    light: impl FnOnce() -> Option<LightSample>,
+    origin: impl FnOnce() -> ShadowOrigin,
+) -> SampledRay {
+    if !point.shows_lights() {
+        return Err(Absence::NoLocalLight);
+    }
+    let Some(light) = light() else {
+        return Err(Absence::FacingAway { n_dot_l: 0.0 });
+    };
+    // The light must be before the surface by both normals, or it would leak through the back of a smooth mesh.
+    let at = point.at;
+    let n_dot_l = at.normal.dot(light.direction);
+    let lowest = n_dot_l.min(at.geometric_normal.dot(light.direction));
+    if lowest <= 0.0 {
+        return Err(Absence::FacingAway { n_dot_l: lowest });
+    }
+    if light.intensity.is_black() {
+        let cos_angle = light.cos_angle;
+        return Err(Absence::OutsideCone { cos_angle });
+    }
+    let ShadowOrigin { origin, offset } = origin();
+    let arrival = (light.distance, light.cos_angle);
+    let gap = settings
+        .arithmetic
+        .short_of_light(at.point, offset, arrival);
+    Ok(ShadowRay {
+        ray: Ray::new(origin, light.direction),
+        light: LightSample {
+            distance: light.distance - gap,
+            ..light
+        },
+        n_dot_l,
+    })
 }
 
 impl ShadowOrigin {

@@ -1,6 +1,6 @@
 //! Shadow-ray batch: rays to one light that are traced together, those to an area sorted by direction (Morton order).
 
-use super::light_sampler::{LightSampler, ShadowRay};
+use super::light_sampler::{AreaSampler, LightSampler, SampledRay, ShadowRay};
 use crate::accel::PACKET_SIZE;
 use crate::math::{DVec3, Interval, Ray};
 use crate::probe::Absence;
@@ -19,7 +19,7 @@ const LEVELS: u32 = 6;
 #[derive(Clone, Copy, Debug)]
 pub struct Prefetched {
     /// The ray, or why none is sent.
-    pub ray: Result<ShadowRay, Absence>,
+    pub ray: SampledRay,
     /// True if something is in its way.
     pub occluded: bool,
 }
@@ -34,16 +34,13 @@ pub trait ShadowRays {
     fn get<'s>(&'s self, sample: u32, slot: &'s mut Slot) -> (&'s SampledRay, Option<bool>);
 }
 
-/// Shadow ray of a sample, or why none is sent.
-pub type SampledRay = Result<ShadowRay, Absence>;
-
 /// Memory for one shadow ray.
 pub type Slot = Option<SampledRay>;
 
-impl ShadowRays for LightSampler<'_> {
+impl<S: LightSampler> ShadowRays for S {
     #[inline]
     fn count(&self) -> u32 {
-        self.count
+        self.samples()
     }
 
     #[inline]
@@ -94,7 +91,7 @@ impl ShadowBatch {
 
     /// Adds the first `count` shadow rays of a sampler.
     #[inline]
-    pub fn sample(&mut self, sampler: &LightSampler, count: u32) {
+    pub fn sample(&mut self, sampler: &impl LightSampler, count: u32) {
         for sample in 0..count {
             let ray = sampler.shadow_ray(sample);
             if let Ok(ShadowRay { ray, light, .. }) = ray {
@@ -106,12 +103,7 @@ impl ShadowBatch {
     }
 
     /// Samples and traces the first `count` shadow rays of a sampler of an area light, and no others.
-    pub fn trace_all(
-        &mut self,
-        world: &World,
-        sampler: &LightSampler,
-        count: u32,
-    ) -> &[Prefetched] {
+    pub fn trace_all(&mut self, world: &World, sampler: &AreaSampler, count: u32) -> &[Prefetched] {
         self.clear();
         self.sample(sampler, count);
         self.trace(world, true);

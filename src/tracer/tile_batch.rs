@@ -4,7 +4,7 @@
 //! accelerator that traces them together is several times as fast. The tracer stays one recursive function: it takes what was
 //! prefetched instead of asking the accelerator, and the answer is the same to the last bit.
 
-use super::light_sampler::{self, LightSampler};
+use super::light_sampler::{self, AreaSampler, PointSampler};
 use super::pixel::{CameraSample, camera_sample};
 use super::shadow_batch::{Prefetched, ShadowBatch};
 use crate::geometry::Hit;
@@ -105,12 +105,19 @@ impl TileBatch {
     /// Samples a light at all hit points.
     fn sample_light(&mut self, world: &World, settings: &Settings, light: u32, count: u32) {
         let scene = &world.scene;
+        let kind = &scene.lights[light as usize].kind;
         for ((sample, hit), at) in self.samples.iter().zip(&self.hits).zip(&self.points) {
             if let (Some(hit), Some(at)) = (hit, at) {
                 let material = scene.material_of(hit.primitive);
                 let point = ShadingPoint::new(at, material, settings.effects);
-                let sampler = LightSampler::new(scene, settings, &point, (sample.path, light));
-                self.shadow.sample(&sampler, count);
+                if let Some(area) = kind.area() {
+                    let id = (sample.path, light);
+                    let sampler = AreaSampler::new(settings, &point, area, id);
+                    self.shadow.sample(&sampler, count);
+                } else {
+                    let sampler = PointSampler::new(settings, &point, kind);
+                    self.shadow.sample(&sampler, 1);
+                }
             } else {
                 self.shadow.skip(count);
             }
