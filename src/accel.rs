@@ -1,11 +1,11 @@
 //! Acceleration structures: which shapes a ray is tested against, and in which order.
 //!
 //! All accelerators answer alike, bit for bit: the hit with the smallest t, and of equal t the smallest primitive id.
-//! They differ only in how many tests they need. [`List`] tests everything; it is the reference that the others are
+//! They differ only in how many tests they need. `list` tests everything; it is the reference that the others are
 //! tested against.
 //!
 //! `list`, `bsp`, `bsp_sah`, `kd`, `grid`, `octree` and `bvh` are the structures of the textbooks. What makes them fast
-//! (single precision, vector instructions, packets of rays) is in [`fast`].
+//! (single precision, vector instructions, packets of rays) is in `fast`.
 
 mod all_hits;
 mod bounded;

@@ -1,6 +1,6 @@
 //! One pixel: its samples, and their weighted sum.
 //!
-//! [`camera_sample`] says where a sample lies and [`weights`] how much it counts; [`PixelEstimator`] takes sample after
+//! [`camera_sample()`] says where a sample lies and [`weights`] how much it counts; [`PixelEstimator`] takes sample after
 //! sample, as many as the rules in [`adaptive`] ask for, and ends with an estimate, a [`Pixel`].
 
 pub mod adaptive;

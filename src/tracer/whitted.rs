@@ -2,7 +2,7 @@
 //!
 //! L = Le + Ka Ia + sum over lights (Kd (N.L) + Ks (R.V)^n) I + Wr L(R) + Wt L(T)
 //!
-//! The terms are those of a [`ShadingPoint`]; the sum over lights is in [`super::direct`].
+//! The terms are those of a [`ShadingPoint`]; the sum over lights is in `direct.rs`.
 
 use super::state::{Path, Tracer, Vertex};
 use crate::math::{Ray, Rgb};
