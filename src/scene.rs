@@ -11,6 +11,7 @@ mod load;
 mod object;
 pub mod read;
 pub mod settings;
+pub mod warning;
 
 pub use crate::shading::{Effect, Effects};
 pub use camera::Camera;
@@ -24,6 +25,7 @@ pub use settings::{
     Adaptive, AreaLightSampling, Budget, Image, Pilot, PixelSampling, Recursion, Sampling,
     Settings, flags,
 };
+pub use warning::{Warning, WarningCode};
 
 use crate::geometry::{Arithmetic, Hit, Shape};
 use crate::math::{Ray, Rgb};
@@ -58,8 +60,8 @@ pub struct Scene {
     pub owners: Vec<u32>,
     /// Settings that the scene asks for; those of the command line go before them.
     pub settings: Settings,
-    /// Warnings about the files that it was read from.
-    pub warnings: Vec<String>,
+    /// Warnings about it and the files that it was read from.
+    pub warnings: Vec<Warning>,
 }
 
 impl Scene {

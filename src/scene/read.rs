@@ -10,4 +10,3 @@ pub mod files;
 mod mesh;
 mod obj;
 pub mod resolve;
-mod warnings;

@@ -20,7 +20,7 @@ fn each() -> impl Iterator<Item = (&'static str, Scene)> {
 fn every_built_in_scene_loads_without_a_warning() {
     for (name, scene) in each() {
         assert_eq!(scene.name, name);
-        assert_eq!(scene.warnings, [""; 0], "{name}");
+        assert_eq!(scene.warnings, [], "{name}");
         assert_eq!(scene.shapes.len(), scene.owners.len());
         assert!(!scene.shapes.is_empty() && !scene.lights.is_empty());
         assert_eq!(scene.hash.len(), 64, "{name}");

@@ -106,7 +106,9 @@ fn case_090_faces_of_one_and_two_corners() {
     let scene = model(&format!("{CORNERS}f 1\nf 2 3\nf 1 2 3\n")).expect("the others are left out");
     assert_eq!(scene.shapes.len(), 1);
     assert!(
-        scene.warnings[0].starts_with("m.obj:4: 2 faces"),
+        scene.warnings[0]
+            .to_string()
+            .starts_with("m.obj:4: 2 faces"),
         "{:?}",
         scene.warnings
     );
@@ -274,7 +276,7 @@ fn case_099_files_that_name_themselves() {
     let itself = format!("mtllib m.obj\nmtllib m.obj\nusemtl a\n{FACE}");
     let scene = model(&itself).expect("as a file of materials it is empty");
     assert!(
-        scene.warnings[0].contains("material `a`"),
+        scene.warnings[0].to_string().contains("material `a`"),
         "{:?}",
         scene.warnings
     );

@@ -96,7 +96,7 @@ fn case_07_no_area_is_left_out_and_else_harmless() {
     assert!(
         warnings
             .iter()
-            .any(|w| w.contains("flat") && w.contains('1')),
+            .any(|w| w.to_string().contains("`flat`: 1 of 2")),
         "{warnings:?}"
     );
 }

@@ -54,23 +54,30 @@ impl Problem {
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let position = match self.position {
-            Some((line, 0)) => format!(":{line}"),
-            Some((line, column)) => format!(":{line}:{column}"),
-            None => String::new(),
-        };
-        let field = match shortened(&self.field) {
-            field if field.is_empty() => field,
-            field => format!(": {field}"),
-        };
-        let text = format!("{}{position}{field}: {}", self.file, self.problem.what);
         write!(
             f,
             "{}\n  {}",
-            printable(&text),
+            first_line(self),
             printable(&self.problem.cure)
         )
     }
+}
+
+/// Where and what.
+pub fn first_line(error: &SceneError) -> String {
+    let position = match error.position {
+        Some((line, 0)) => format!(":{line}"),
+        Some((line, column)) => format!(":{line}:{column}"),
+        None => String::new(),
+    };
+    let field = match shortened(&error.field) {
+        field if field.is_empty() => field,
+        field => format!(": {field}"),
+    };
+    printable(&format!(
+        "{}{position}{field}: {}",
+        error.file, error.problem.what
+    ))
 }
 
 impl std::error::Error for SceneError {}

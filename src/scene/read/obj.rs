@@ -15,7 +15,7 @@ use faces::{Faces, Mark};
 use super::error::{Problem, SceneError};
 use super::files::Files;
 use super::mesh::Mesh;
-use super::warnings::Warnings;
+use crate::scene::warning::{WarningCode, Warnings};
 use crate::shading::Material;
 
 /// What an OBJ file holds.
@@ -64,9 +64,14 @@ pub fn parse(
     }
     let (count, line) = surface.faces.edges;
     if count > 0 {
-        warnings.add(|| format!(
-            "{file}:{line}: {count} faces have fewer than three corners, this is the first: they are left out"
-        ));
+        let what = format!(
+            "{count} faces have fewer than three corners, this is the first: they are left out"
+        );
+        let problem = Problem::new(
+            what,
+            "give each face at least three corners, or write lines as `l`",
+        );
+        warnings.add(WarningCode::FewCorners, problem.in_line(file, line));
     }
     if !own_materials {
         return Ok(Obj {
@@ -116,9 +121,9 @@ fn read_materials(
             .read(&path)
             .map_err(|problem| problem.in_line(file, *line))?;
         let Some(text) = text else {
-            warnings.add(|| {
-                format!("{file}:{line}: there is no file `{library}`: what it describes is grey")
-            });
+            let what = format!("there is no file `{library}`: what it describes is grey");
+            let problem = Problem::new(what, "put the file of materials beside the model");
+            warnings.add(WarningCode::MissingLibrary, problem.in_line(file, *line));
             continue;
         };
         let found = mtl::parse(&text, |name| missing.remove(name))
@@ -130,9 +135,12 @@ fn read_materials(
     }
     for (name, line) in used {
         if missing.remove(name) {
-            warnings.add(|| {
-                format!("{file}:{line}: no MTL file describes the material `{name}`: it is grey")
-            });
+            let what = format!("no MTL file describes the material `{name}`: it is grey");
+            let problem = Problem::new(
+                what,
+                "describe it: `newmtl` and its name, then `Kd 0.8 0.2 0.1`",
+            );
+            warnings.add(WarningCode::MissingMaterial, problem.in_line(file, line));
         }
     }
     Ok(materials)

@@ -33,7 +33,8 @@ impl<P: Probe + Default> RenderedTile<P> {
     }
 
     /// Renders a tile: its pixels together if the probe is silent, else one after the other, so that it hears of a pixel's
-    /// rays in their order.
+    /// rays in their order. (A function of its own in every program, so that its instructions can be counted.)
+    #[inline(never)]
     pub fn render(tile: Tile, world: &World, settings: &Settings) -> Self {
         let mut probe = P::default();
         let mut film = Film::black(tile.size(), settings);

@@ -192,7 +192,10 @@ fn zero_area_triangles_are_left_out_with_one_warning() {
     let [warning] = &scene.warnings[..] else {
         panic!("one warning: {:?}", scene.warnings)
     };
-    assert_says(warning, &["`m`", "2 of 4", "number 1", "left out"]);
+    assert_says(
+        &warning.to_string(),
+        &["`m`", "2 of 4", "number 1", "left out"],
+    );
 }
 
 #[test]

@@ -213,5 +213,6 @@ fn warnings_are_counted_where_they_are_not_kept() {
     assert_eq!(warned(MAX_WARNINGS).len(), MAX_WARNINGS);
     let more = warned(MAX_WARNINGS + 7);
     assert_eq!(more.len(), MAX_WARNINGS + 1);
-    assert_eq!(more[MAX_WARNINGS], "and 7 more warnings");
+    let last = more[MAX_WARNINGS].to_string();
+    assert!(last.contains("and 7 more warnings"), "{last}");
 }

@@ -8,6 +8,7 @@ use crate::geometry::Triangle;
 use crate::math::DVec3;
 use crate::scene::read::error::SceneError;
 use crate::scene::read::mesh::Mesh;
+use crate::scene::warning::WarningCode;
 
 impl Resolver {
     /// Adds a mesh. Triangles without area are left out: nothing can hit them, and they have no normal.
@@ -52,13 +53,14 @@ impl Resolver {
                 Some(line) => format!("the first is on line {line}"),
                 None => format!("the first is number {first}"),
             };
-            self.warnings.add(|| {
-                format!(
-                    "object `{}`: {} of {count} triangles have no area ({which}): they are left out",
-                    header.name,
-                    flat.len(),
-                )
-            });
+            let what = format!(
+                "object `{}`: {} of {count} triangles have no area ({which}): they are left out",
+                header.name,
+                flat.len(),
+            );
+            let cure = "give each triangle three corners that are not on one line";
+            self.warnings
+                .add(WarningCode::NoArea, header.path.error(what, cure));
             leave_out(&flat, &mut triangles);
             leave_out(&flat, &mut corners.normal_indices);
             leave_out(&flat, &mut corners.uv_indices);

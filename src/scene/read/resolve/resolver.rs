@@ -9,9 +9,9 @@ use crate::geometry::{Shape, Triangle};
 use crate::math::DVec3;
 use crate::scene::limits::{MAX_COORDINATE, MAX_PRIMITIVES};
 use crate::scene::read::did_you_mean::did_you_mean;
-use crate::scene::read::error::{FieldPath, SceneError};
+use crate::scene::read::error::{FieldPath, Problem, SceneError};
 use crate::scene::read::files::Files;
-use crate::scene::read::warnings::Warnings;
+use crate::scene::warning::{WarningCode, Warnings};
 use crate::scene::{Object, Scene};
 use crate::shading::Material;
 
@@ -126,11 +126,14 @@ impl Resolver {
     /// The scene, with its warnings and its hash.
     pub fn finish(mut self) -> Scene {
         if self.scene.objects.is_empty() {
-            self.warnings.add(|| {
-                "the scene has no objects: the picture shows the background alone".to_string()
-            });
+            let problem = Problem::new(
+                "the scene has no objects: the picture shows the background alone",
+                "add one to `objects`, such as a sphere",
+            );
+            self.warnings
+                .add(WarningCode::NoObjects, problem.in_file(&self.scene.name));
         }
-        self.scene.warnings = self.warnings.into_lines();
+        self.scene.warnings = self.warnings.into_list(&self.scene.name);
         self.scene.hash = self.files.hash();
         self.scene
     }

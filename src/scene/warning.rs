@@ -1,0 +1,161 @@
+//! Warnings: what of a scene was left out, guessed or clamped, and what cannot be meant.
+//!
+//! A warning has a code that stays the same in all versions; the book lists the codes with their cures.
+
+use std::fmt;
+
+use super::error::{SceneError, first_line, printable};
+use super::limits::MAX_WARNINGS;
+
+/// A warning about a scene. Its text has two lines: where and what, then what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// Its kind.
+    pub code: WarningCode,
+    /// Where it was found first, what it is about, and what to do.
+    pub problem: SceneError,
+    /// How often it was found.
+    pub count: u64,
+}
+
+/// The kind of a warning, by a name that stays the same in all versions.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    strum::IntoStaticStr,
+    strum::VariantArray,
+)]
+#[strum(serialize_all = "kebab-case")]
+pub enum WarningCode {
+    /// The scene has no objects.
+    NoObjects,
+    /// Faces of a model with fewer than three corners, which are left out.
+    FewCorners,
+    /// Triangles without area, which are left out.
+    NoArea,
+    /// A file of materials that is not there.
+    MissingLibrary,
+    /// A material that no file describes.
+    MissingMaterial,
+    /// More kinds of warnings than are kept.
+    MoreWarnings,
+}
+
+impl WarningCode {
+    /// Its name, as in `no-area`.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = match self.count {
+            1 => String::new(),
+            n => format!(" ({n} times, this is the first)"),
+        };
+        let (what, cure) = (
+            first_line(&self.problem),
+            printable(&self.problem.problem.cure),
+        );
+        write!(f, "{what}{count} [{}]\n  {cure}", self.code.name())
+    }
+}
+
+/// Warnings as they are found. Those of one code, file and text are one, with a count.
+#[derive(Clone, Debug, Default)]
+pub struct Warnings {
+    kept: Vec<Warning>,
+    more: u64,
+}
+
+impl Warnings {
+    /// Adds a warning.
+    pub fn add(&mut self, code: WarningCode, problem: SceneError) {
+        self.add_many(code, problem, 1);
+    }
+
+    /// Adds a warning that was found `count` times, the first time where it says.
+    pub fn add_many(&mut self, code: WarningCode, problem: SceneError, count: u64) {
+        let same = |kept: &&mut Warning| {
+            let (a, b) = (&kept.problem, &problem);
+            kept.code == code && a.problem.what == b.problem.what && a.file == b.file
+        };
+        if let Some(kept) = self.kept.iter_mut().find(same) {
+            kept.count += count;
+        } else if self.kept.len() < MAX_WARNINGS {
+            let warning = Warning {
+                code,
+                problem,
+                count,
+            };
+            self.kept.push(warning);
+        } else {
+            self.more += count;
+        }
+    }
+
+    /// The warnings, with a last one for those that were not kept.
+    pub fn into_list(mut self, scene: &str) -> Vec<Warning> {
+        if self.more > 0 {
+            let problem = super::error::Problem::new(
+                format!("and {} more warnings", self.more),
+                "mend those above first",
+            );
+            self.kept.push(Warning {
+                code: WarningCode::MoreWarnings,
+                problem: problem.in_file(scene),
+                count: 1,
+            });
+        }
+        self.kept
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::error::Problem;
+    use super::*;
+
+    fn warnings(count: usize) -> Vec<Warning> {
+        let mut warnings = Warnings::default();
+        for i in 0..count {
+            let problem = Problem::new(format!("{i}\n"), "mend it").in_line("a.obj", i + 1);
+            warnings.add(WarningCode::NoArea, problem);
+        }
+        warnings.into_list("a.json")
+    }
+
+    #[test]
+    fn the_first_are_kept_and_the_others_counted() {
+        assert_eq!(warnings(MAX_WARNINGS).len(), MAX_WARNINGS);
+        let more = warnings(MAX_WARNINGS + 3);
+        assert_eq!(more.len(), MAX_WARNINGS + 1);
+        let text = more[MAX_WARNINGS].to_string();
+        assert!(text.starts_with("a.json: and 3 more warnings [more-warnings]"));
+    }
+
+    #[test]
+    fn a_warning_says_where_what_how_often_and_the_cure() {
+        let text = warnings(2)[1].to_string();
+        assert_eq!(text, "a.obj:2: 1\u{fffd} [no-area]\n  mend it");
+        let mut twice = Warnings::default();
+        for line in [3, 9] {
+            twice.add(
+                WarningCode::NoArea,
+                Problem::new("odd", "mend it").in_line("a.obj", line),
+            );
+        }
+        let text = twice.into_list("a.json")[0].to_string();
+        assert_eq!(
+            text,
+            "a.obj:3: odd (2 times, this is the first) [no-area]\n  mend it"
+        );
+    }
+}
