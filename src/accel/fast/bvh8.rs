@@ -11,6 +11,7 @@ mod binary;
 mod build;
 mod packet;
 mod partition;
+mod rounds;
 mod single;
 
 use super::local_ray::UnitBox;

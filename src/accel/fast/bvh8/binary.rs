@@ -9,8 +9,9 @@ use obvhs::bvh2::builder::build_bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 
 use super::LEAF_SIZE;
+use super::partition::{Parts, partition};
 use crate::accel::fast::local_ray::UnitBox;
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, Shape};
 
 /// A binary tree whose leaves hold at most [`LEAF_SIZE`] items.
 pub struct Binary {
@@ -50,30 +51,16 @@ pub fn clustered(boxes: &[Box32]) -> Binary {
     }
 }
 
-/// A tree that is balanced whatever the boxes are: the list halved again and again.
-pub fn halved(boxes: &[Box32]) -> Binary {
-    let around = |range: &[Box32]| range.iter().fold(Box32::INVALID, |a, b| a.union(b));
-    let mut nodes = vec![Bvh2Node::new(around(boxes), boxes.len() as u32, 0)];
-    let mut next = 0;
-    while next < nodes.len() {
-        let (first, count) = (
-            nodes[next].first_index as usize,
-            nodes[next].prim_count as usize,
-        );
-        if count > LEAF_SIZE {
-            let half = count / 2;
-            let child = |first: usize, count: usize| {
-                Bvh2Node::new(around(&boxes[first..][..count]), count as u32, first as u32)
-            };
-            nodes[next].prim_count = 0;
-            nodes[next].first_index = nodes.len() as u32;
-            nodes.push(child(first, half));
-            nodes.push(child(first + half, count - half));
-        }
-        next += 1;
+/// The tree that halves `ids` again and again, and puts them in its order: built in bounded time whatever the boxes are, and
+/// not deeper than `sah_depth` and the logarithm of their number.
+pub fn halved(unit_box: &UnitBox, shapes: &[Shape], ids: &mut [u32], sah_depth: u32) -> Binary {
+    let Parts { mut nodes, ranges } = partition(unit_box, shapes, ids, LEAF_SIZE, sah_depth);
+    for leaf in nodes.iter_mut().filter(|node| node.is_leaf()) {
+        let range = &ranges[leaf.first_index as usize];
+        (leaf.first_index, leaf.prim_count) = (range.start as u32, range.len() as u32);
     }
     Binary {
         nodes,
-        order: (0..boxes.len() as u32).collect(),
+        order: (0..ids.len() as u32).collect(),
     }
 }

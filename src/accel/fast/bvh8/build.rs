@@ -6,13 +6,18 @@ use rayon::prelude::*;
 
 use super::binary::{Binary, clustered, halved, outwards};
 use super::partition::partition;
+use super::rounds::takes_many_rounds;
 use super::{Bvh8, LEAF_BIT, LEAF_SIZE, Leaf, MAX_STACK, Node, WIDTH};
 use crate::accel::bounded::{Primitives, bounds_of};
+use crate::accel::bvh::MAX_SAH_DEPTH;
 use crate::accel::fast::local_ray::{MAX_COORDINATE, UnitBox, round_up};
 use crate::accel::fast::simd::Isa;
 use crate::accel::inspect::Progress;
 use crate::geometry::Shape;
 use crate::probe::NONE;
+
+/// Primitives that are clustered together at most.
+const PART: usize = 1 << 13;
 
 /// Part of a tree: nodes, the first of them the root, and the leaves that they name.
 struct Subtree {
@@ -41,15 +46,23 @@ pub fn build(shapes: &[Shape], progress: Progress) -> Bvh8 {
     if ids.is_empty() {
         return bvh8;
     }
-    let subtree = |build: fn(&[Box32]) -> Binary, ids: &[u32]| {
+    let halved = |ids: &[u32], sah_depth| {
+        let mut ids = ids.to_vec();
+        let tree = halved(&unit_box, shapes, &mut ids, sah_depth);
+        subtree(&tree, &unit_box, &ids, shapes)
+    };
+    let best = |ids: &[u32]| {
         let boxed = |&id: &u32| outwards(&unit_box, bounds_of(shapes, id), id);
         let boxes: Vec<Box32> = ids.iter().map(boxed).collect();
-        subtree(&build(&boxes), &unit_box, ids, shapes)
+        if takes_many_rounds(&boxes) {
+            return halved(ids, MAX_SAH_DEPTH);
+        }
+        subtree(&clustered(&boxes), &unit_box, ids, shapes)
     };
-    bvh8.grow(&mut ids, shapes, |ids| subtree(clustered, ids), progress);
+    bvh8.grow(&mut ids, shapes, best, progress);
     if bvh8.stack > MAX_STACK {
         (bvh8.nodes, bvh8.leaves) = (Vec::new(), Vec::new());
-        bvh8.append(subtree(halved, &ids));
+        bvh8.append(halved(&ids, 0));
         bvh8.measure();
     }
     bvh8
@@ -64,7 +77,7 @@ impl Bvh8 {
         subtree: impl Fn(&[u32]) -> Subtree + Sync,
         progress: Progress,
     ) {
-        let parts = partition(&self.unit_box, shapes, ids);
+        let parts = partition(&self.unit_box, shapes, ids, PART, MAX_SAH_DEPTH);
         let ids = &*ids;
         if let [whole] = &parts.ranges[..] {
             self.append(subtree(&ids[whole.clone()]));

@@ -12,12 +12,9 @@ use obvhs::aabb::Aabb as Box32;
 use obvhs::bvh2::node::Bvh2Node;
 
 use crate::accel::bounded::bounds_of;
-use crate::accel::bvh::{MAX_SAH_DEPTH, choose, halve};
+use crate::accel::bvh::{choose, halve};
 use crate::accel::fast::local_ray::UnitBox;
 use crate::geometry::{Aabb, Shape};
-
-/// Primitives of a part at most.
-const PART: usize = 1 << 13;
 
 /// Boxes of a sample, about.
 const SAMPLE: usize = 1 << 11;
@@ -31,8 +28,14 @@ pub struct Parts {
     pub ranges: Vec<Range<usize>>,
 }
 
-/// Sorts the primitives into parts.
-pub fn partition(unit_box: &UnitBox, shapes: &[Shape], ids: &mut [u32]) -> Parts {
+/// Sorts the primitives into parts of at most `size`; above the depth `sah_depth` by the surface area heuristic.
+pub fn partition(
+    unit_box: &UnitBox,
+    shapes: &[Shape],
+    ids: &mut [u32],
+    size: usize,
+    sah_depth: u32,
+) -> Parts {
     let bounds = |id: &u32| bounds_of(shapes, *id);
     let around = |ids: &[u32]| {
         let all = ids.iter().map(bounds).fold(Aabb::EMPTY, Aabb::union);
@@ -47,13 +50,16 @@ pub fn partition(unit_box: &UnitBox, shapes: &[Shape], ids: &mut [u32]) -> Parts
     let mut work = vec![(0, 0..ids.len(), 1)];
     while let Some((node, range, depth)) = work.pop() {
         let part = &mut ids[range.clone()];
-        if part.len() <= PART {
+        if part.len() <= size {
             parts.nodes[node] = Bvh2Node::new(around(part), 1, parts.ranges.len() as u32);
             parts.ranges.push(range);
             continue;
         }
-        let sample = part.iter().step_by(part.len() / SAMPLE).map(bounds);
-        let plane = (depth < MAX_SAH_DEPTH).then(|| choose(&sample)).flatten();
+        let sample = part
+            .iter()
+            .step_by((part.len() / SAMPLE).max(1))
+            .map(bounds);
+        let plane = (depth < sah_depth).then(|| choose(&sample)).flatten();
         let middle = range.start + halve(part, bounds, plane);
         let first = parts.nodes.len();
         parts.nodes[node].first_index = first as u32;
