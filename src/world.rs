@@ -4,6 +4,7 @@ mod closed;
 mod contact;
 pub mod interface;
 pub mod medium;
+mod rank;
 mod ray_budget;
 
 use crate::accel::{Accel, AccelKind, Progress, exit_of_solid};
@@ -32,7 +33,9 @@ pub struct World {
     contacts: Vec<Contact>,
     /// Which objects are transparent and bound no part of space: see [`OpenMedia`].
     open: Vec<bool>,
-    /// Those of them that the eye is inside of.
+    /// Which object a point is in, where they overlap: see [`rank`].
+    ranks: Vec<u32>,
+    /// The open objects that the eye is inside of.
     pub around_eye: OpenMedia,
 }
 
@@ -53,16 +56,23 @@ impl World {
     pub fn watched(scene: Scene, kind: AccelKind, progress: Progress) -> Self {
         let accel = Accel::build_with_progress(kind, &scene.shapes, progress);
         let is_medium = |o: &Object| scene.materials[o.material as usize].is_transmissive();
-        let open = (0u32..)
+        let open: Vec<bool> = (0u32..)
             .zip(&scene.objects)
             .map(|(i, o)| is_medium(o) && !closed::is_closed(scene.shapes_of(i)))
             .collect();
         let contacts = contacts(&scene);
+        let has_media = contacts.iter().any(|c| *c != Contact::None);
+        let ranks = if has_media {
+            rank::ranks(&scene, &open)
+        } else {
+            Vec::new()
+        };
         let mut world = Self {
             scene,
             accel,
-            has_media: contacts.iter().any(|c| *c != Contact::None),
+            has_media,
             contacts,
+            ranks,
             open,
             around_eye: OpenMedia::NOTHING,
         };
@@ -166,7 +176,7 @@ impl World {
 
     /// The medium before `ahead`, the crossings that a ray is going to meet: an object, or [`NONE`] for air.
     pub fn medium(&self, entered: &OpenMedia, ahead: &[Crossing]) -> u32 {
-        medium(entered, ahead, |object| self.scene.medium_priority(object))
+        medium(entered, ahead, |object| self.ranks[object as usize])
     }
 
     /// The medium where `ray` starts: an object, or [`NONE`] for air.

@@ -85,6 +85,17 @@ impl Shape {
         }
     }
 
+    /// The volume of a solid, in cubic metres, as rounded; 0 for what is no solid.
+    pub fn volume(&self) -> f64 {
+        match self {
+            Self::Sphere(sphere) => sphere.volume(),
+            Self::Cuboid(cuboid) => cuboid.bounds.size().element_product(),
+            Self::Triangle(_) | Self::Plane(_) | Self::Disc(_) => 0.0,
+            Self::Transformed(moved) => moved.shape.volume() * moved.transform.volume_ratio(),
+            Self::Naive(naive) => naive.shape.volume(),
+        }
+    }
+
     /// The point at which `ray` crosses the shape, as found by [`Shape::intersect`].
     pub fn surface(&self, ray: &Ray, t: f64, barycentric: [f64; 3]) -> SurfacePoint {
         match self {

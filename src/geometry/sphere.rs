@@ -27,6 +27,11 @@ impl Sphere {
         }
     }
 
+    /// Its volume.
+    pub fn volume(&self) -> f64 {
+        4.0 / 3.0 * std::f64::consts::PI * self.radius.powi(3)
+    }
+
     /// The two crossings of the ray's line, in order; `None` if it misses.
     ///
     /// With f = o - c, the crossings solve a t^2 - 2 b t + c = 0, where a = d.d, b = -f.d, c = f.f - r^2. The school

@@ -72,6 +72,11 @@ impl Transform {
         norm(&self.to_world.matrix3) * norm(&self.to_object.matrix3)
     }
 
+    /// How many times as large as in its own space a volume is in world space.
+    pub fn volume_ratio(&self) -> f64 {
+        self.to_world.matrix3.determinant().abs()
+    }
+
     /// True if the map turns right-handed frames into left-handed ones (a mirror image).
     pub fn flips_handedness(&self) -> bool {
         self.to_world.matrix3.determinant() < 0.0

@@ -11,6 +11,9 @@ pub struct Object {
     pub material: u32,
     /// The id of its first primitive.
     pub first_primitive: u32,
+    /// True if it is a mesh that a transform mirrors: its triangles have their second and third corner swapped, so that they still
+    /// run counter-clockwise.
+    pub mirrored: bool,
     /// Normals and texture coordinates at its corners, if it is a mesh that has any.
     pub vertices: Option<VertexData>,
 }
@@ -26,6 +29,14 @@ pub struct VertexData {
     pub uv_indices: Vec<[u32; 3]>,
     /// Texture coordinates.
     pub uvs: Vec<DVec2>,
+}
+
+impl Object {
+    /// Barycentric coordinates in the order in which the file has the triangle's corners; `None` for shapes without corners.
+    pub fn barycentric(&self, [a, b, c]: [f64; 3]) -> Option<[f64; 3]> {
+        let has_corners = [a, b, c] != [0.0; 3];
+        has_corners.then_some(if self.mirrored { [a, c, b] } else { [a, b, c] })
+    }
 }
 
 impl VertexData {

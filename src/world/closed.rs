@@ -29,6 +29,21 @@ pub fn is_closed(shapes: &[Shape]) -> bool {
         .all(|same| same.iter().map(|(_, way)| way).sum::<i32>() == 0)
 }
 
+/// The volume inside of shapes that are closed, in cubic metres, as rounded. Of triangles: the sum of the tetrahedra that they
+/// span with the first corner (divergence theorem).
+pub fn enclosed_volume(shapes: &[Shape]) -> f64 {
+    let mut base = None;
+    let volume = |shape: &Shape| match shape.plain() {
+        Shape::Triangle(triangle) => {
+            let base = *base.get_or_insert(triangle.corners[0]);
+            let [a, b, c] = triangle.corners.map(|corner| corner - base);
+            a.dot(b.cross(c)) / 6.0
+        }
+        solid => solid.volume(),
+    };
+    shapes.iter().map(volume).sum::<f64>().abs()
+}
+
 /// Two ends, the smaller one first.
 type Edge = ([u64; 3], [u64; 3]);
 
@@ -67,6 +82,12 @@ mod tests {
         let twice = [closed.clone(), closed[..1].to_vec()].concat();
         assert!(!is_closed(&twice));
         assert!(is_closed(&[closed.clone(), closed].concat()));
+    }
+
+    #[test]
+    fn the_volume_of_a_mesh_is_that_of_its_tetrahedra() {
+        assert_eq!(enclosed_volume(&tetrahedron()), 1.0 / 6.0);
+        assert_eq!(enclosed_volume(&[]), 0.0);
     }
 
     #[test]

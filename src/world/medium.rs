@@ -2,8 +2,9 @@
 //!
 //! Two rules. *A ray is inside of what it leaves, further on, more often than it enters it.* So what it is inside of is
 //! read off the very crossings that it is going to meet; nothing is carried from ray to ray that rounding could bring out
-//! of step. *Where objects overlap, the medium is that of the highest priority; of equal ones, that which is left first,
-//! the innermost.* Source of the second: Schmidt and Budge 2002, "Simple nested dielectrics in ray traced images".
+//! of step. *Where objects overlap, the medium is that of the highest priority; of equal ones, that of the smaller object; of
+//! equally large ones, that of the later in the file.* So a point has one medium, from wherever a ray comes, and a path can be
+//! followed backwards. Source of the second: Schmidt and Budge 2002, "Simple nested dielectrics in ray traced images".
 //!
 //! A surface that bounds no part of space, as a square for a pool's, cannot be read off in this way: a ray is inside
 //! because it came in through the front. Only these are kept in mind, in [`OpenMedia`].
@@ -28,11 +29,11 @@ pub struct Crossing {
 }
 
 /// The object in whose medium a ray travels that is going to meet the crossings `ahead`, in order, and came into the open
-/// objects `entered`; [`NONE`] for air. `priority` tells that of an object.
-pub fn medium(entered: &OpenMedia, ahead: &[Crossing], priority: impl Fn(u32) -> i32) -> u32 {
+/// objects `entered`; [`NONE`] for air: of all that the ray is inside of, the one of the highest rank. See [`super::rank`].
+pub fn medium(entered: &OpenMedia, ahead: &[Crossing], rank: impl Fn(u32) -> u32) -> u32 {
     let mut best = NONE;
     let mut inside = |object: u32| {
-        if best == NONE || priority(object) > priority(best) {
+        if best == NONE || rank(object) > rank(best) {
             best = object;
         }
     };
@@ -47,8 +48,10 @@ pub fn medium(entered: &OpenMedia, ahead: &[Crossing], priority: impl Fn(u32) ->
             (None, _) => {}
         }
     }
-    // Those that it never comes out of, from the innermost.
-    entered.innermost_first().for_each(inside);
+    // Those that it never comes out of.
+    entered.objects[..entered.depth]
+        .iter()
+        .for_each(|&object| inside(object));
     best
 }
 
@@ -91,17 +94,13 @@ impl OpenMedia {
         }
         self
     }
-
-    fn innermost_first(&self) -> impl Iterator<Item = u32> {
-        self.objects[..self.depth].iter().rev().copied()
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The medium of a ray that goes into `+` and comes out of `-` these objects; those from 5 on have priority 1.
+    /// The medium of a ray that goes into `+` and comes out of `-` these objects, whose ranks are their numbers.
     fn before(entered: &[u32], way: &[(char, u32)]) -> u32 {
         let ahead: Vec<Crossing> = way
             .iter()
@@ -118,7 +117,7 @@ mod tests {
         let entered = entered
             .iter()
             .fold(OpenMedia::NOTHING, |open, &object| open.and(object));
-        medium(&entered, &ahead, |object| i32::from(object >= 5))
+        medium(&entered, &ahead, |object| object)
     }
 
     #[test]
@@ -132,25 +131,20 @@ mod tests {
     }
 
     #[test]
-    fn of_many_the_highest_priority_decides_then_the_innermost() {
+    fn of_many_the_highest_rank_decides_in_whatever_order_they_are_left() {
         assert_eq!(before(&[], &[('-', 2), ('-', 1)]), 2);
-        assert_eq!(before(&[], &[('-', 2), ('-', 5), ('-', 1)]), 5);
-        assert_eq!(before(&[], &[('-', 5), ('-', 6)]), 5);
-    }
-
-    #[test]
-    fn open_objects_are_around_the_closed_ones_unless_they_have_priority() {
+        assert_eq!(before(&[], &[('-', 1), ('-', 2)]), 2);
         assert_eq!(before(&[3, 4], &[]), 4);
-        assert_eq!(before(&[3, 4], &[('-', 1)]), 1);
-        assert_eq!(before(&[3, 5], &[('-', 1)]), 5);
+        assert_eq!(before(&[4, 3], &[('-', 1)]), 4);
+        assert_eq!(before(&[3, 4], &[('-', 5)]), 5);
     }
 
     #[test]
     fn what_is_entered_can_be_left_in_any_order() {
         let inside = OpenMedia::NOTHING.and(7).and(3).and(5);
-        let list = |e: OpenMedia| e.innermost_first().collect::<Vec<_>>();
-        assert_eq!(list(inside.without(3)), [5, 7]);
-        assert_eq!(list(inside.without(5).without(9)), [3, 7]);
+        let list = |e: OpenMedia| e.objects[..e.depth].to_vec();
+        assert_eq!(list(inside.without(3)), [7, 5]);
+        assert_eq!(list(inside.without(5).without(9)), [7, 3]);
         let nothing = inside.without(5).without(3).without(7);
         assert_eq!(nothing, OpenMedia::NOTHING);
         let deep = (0..100).fold(OpenMedia::NOTHING, OpenMedia::and);

@@ -24,6 +24,7 @@ mod knobs;
 mod laws;
 mod light_extremes;
 mod limits;
+mod media;
 mod obj;
 mod penumbra;
 mod projected;

@@ -59,6 +59,7 @@ impl SceneBuilder {
             name: name.into(),
             material,
             first_primitive: self.scene.shapes.len() as u32,
+            mirrored: false,
             vertices: None,
         });
     }

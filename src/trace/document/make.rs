@@ -171,13 +171,12 @@ fn outcome(outcome: Outcome) -> RayOutcome {
 
 fn hit_point(surface: &SurfaceHit) -> HitPoint {
     let (hit, at) = (&surface.hit, &surface.at);
-    let has_corners = hit.barycentric != [0.0; 3];
     HitPoint {
         t: hit.t,
         point: at.point.to_array(),
         object: surface.object.name.clone(),
         primitive: surface.primitive,
-        barycentric: has_corners.then_some(hit.barycentric),
+        barycentric: surface.object.barycentric(hit.barycentric),
         uv: at.uv.to_array(),
         geometric_normal: at.geometric_normal.to_array(),
         normal: at.normal.to_array(),

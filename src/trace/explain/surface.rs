@@ -57,8 +57,7 @@ pub fn hit(view: View, node: u32) -> Explanation {
     if at.normal != at.geometric_normal {
         explanation = explanation.row("N of the shape", vec3(at.geometric_normal));
     }
-    let [a, b, c] = hit.barycentric;
-    if hit.barycentric != [0.0; 3] {
+    if let Some([a, b, c]) = object.barycentric(hit.barycentric) {
         explanation = explanation.row(
             "barycentric",
             format!("({}, {}, {})", num(a), num(b), num(c)),
@@ -92,7 +91,7 @@ pub fn passed(view: View, node: u32, hit: &Hit, medium: u32) -> Explanation {
     let explanation = Explanation::new(
         format!("straight {way} `{}`", name(object)),
         format!(
-            "Where objects overlap the highest priority decides, of equal ones the innermost: `{}` before and behind.",
+            "Where objects overlap the highest priority decides, of equal ones the smaller object: `{}` before and behind.",
             name(medium)
         ),
     )

@@ -32,7 +32,7 @@ pub struct MaterialFile {
     #[serde(default = "MaterialFile::ior")]
     pub ior: f64,
     /// Where transparent objects overlap, as water does with the glass that holds it, the inside is that of the highest
-    /// priority; of equal ones, that which a ray enters last.
+    /// priority; of equal ones, that of the smaller object, else of the later in the file.
     #[serde(default)]
     pub priority: i32,
     /// Radiance that the surface sends out by itself.

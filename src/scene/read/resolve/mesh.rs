@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::header::Header;
 use super::resolver::Resolver;
 use crate::geometry::Triangle;
-use crate::math::DVec3;
+use crate::math::{DVec2, DVec3};
 use crate::scene::read::error::SceneError;
 use crate::scene::read::mesh::Mesh;
 use crate::scene::warning::WarningCode;
@@ -32,6 +32,14 @@ impl Resolver {
             }
             // In a mirror, what ran counter-clockwise runs clockwise.
             if map.flips_handedness() {
+                // Without texture coordinates of its own a triangle's u and v are the shares of its second and third corner.
+                if corners.uv_indices.is_empty() {
+                    corners.uvs = vec![DVec2::ZERO, DVec2::X, DVec2::Y];
+                    corners.uv_indices = vec![[0, 1, 2]; triangles.len()];
+                }
+                if let Some(object) = self.scene.objects.last_mut() {
+                    object.mirrored = true;
+                }
                 let lists = [&mut triangles, &mut corners.normal_indices];
                 for list in lists.into_iter().chain([&mut corners.uv_indices]) {
                     for triangle in list.iter_mut() {

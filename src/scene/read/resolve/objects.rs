@@ -56,8 +56,7 @@ impl Resolver {
                 self.add_mesh(&header, material, mesh)
             }
             (_, Some(LocalSurface::Shape(shape)), Some(material)) => {
-                let turn_shows = self.scene.materials[material as usize].checker.is_some();
-                let shape = in_world(shape, header.to_world.as_ref(), turn_shows);
+                let shape = in_world(shape, header.to_world.as_ref());
                 self.begin(&header.name, material, &header.path)?;
                 self.add_shape(shape, &header.path)
             }

@@ -68,6 +68,7 @@ impl Resolver {
             name: name.to_string(),
             material,
             first_primitive: self.scene.shapes.len() as u32,
+            mirrored: false,
             vertices: None,
         });
         Ok(())

@@ -4,11 +4,11 @@ use crate::geometry::{Aabb, Cuboid, Disc, Plane, Shape, Sphere, Transformed};
 use crate::math::{DVec3, Transform};
 
 /// Shape in the world. `turn_shows` tells that its surface coordinates can be seen, so that a turn matters.
-pub fn in_world(shape: Shape, map: Option<&Transform>, turn_shows: bool) -> Shape {
+pub fn in_world(shape: Shape, map: Option<&Transform>) -> Shape {
     let Some(map) = map else { return shape };
     match shape {
-        Shape::Sphere(s) => sphere(s, map, turn_shows),
-        Shape::Disc(d) => disc(*d, map, turn_shows),
+        Shape::Sphere(s) => sphere(s, map),
+        Shape::Disc(d) => disc(*d, map),
         Shape::Cuboid(c) => cuboid(c.bounds, map),
         Shape::Plane(p) => Shape::Plane(Box::new(Plane::new(
             map.point(p.origin()),
@@ -18,10 +18,10 @@ pub fn in_world(shape: Shape, map: Option<&Transform>, turn_shows: bool) -> Shap
     }
 }
 
-/// Scaled evenly it stays a sphere; stretched, or turned where that shows, it is tested in its own space.
-fn sphere(sphere: Sphere, map: &Transform, turn_shows: bool) -> Shape {
+/// Scaled evenly it stays a sphere; stretched or turned (u and v turn with it) it is tested in its own space.
+fn sphere(sphere: Sphere, map: &Transform) -> Shape {
     match map.uniform_scale() {
-        Some(scale) if !turn_shows || !turns(map) => Shape::Sphere(Sphere {
+        Some(scale) if !turns(map) => Shape::Sphere(Sphere {
             center: map.point(sphere.center),
             radius: sphere.radius * scale,
         }),
@@ -29,10 +29,10 @@ fn sphere(sphere: Sphere, map: &Transform, turn_shows: bool) -> Shape {
     }
 }
 
-/// Scaled evenly it stays a disc, unless it shows where its u begins.
-fn disc(disc: Disc, map: &Transform, turn_shows: bool) -> Shape {
+/// Scaled evenly it stays a disc; stretched or turned (u and v turn with it) it is tested in its own space.
+fn disc(disc: Disc, map: &Transform) -> Shape {
     match map.uniform_scale() {
-        Some(scale) if !turn_shows => Shape::Disc(Box::new(Disc::new(
+        Some(scale) if !turns(map) => Shape::Disc(Box::new(Disc::new(
             map.point(disc.center),
             map.normal(disc.frame.w),
             disc.radius * scale,
@@ -83,18 +83,14 @@ mod tests {
             radius: 1.0,
         };
         let grown = map(DAffine3::from_scale(DVec3::splat(2.0)));
-        let Shape::Sphere(s) = sphere(unit, &grown, true) else {
+        let Shape::Sphere(s) = sphere(unit, &grown) else {
             panic!("evenly scaled")
         };
         assert_eq!((s.center, s.radius), (DVec3::X * 2.0, 2.0));
         let stretched = map(DAffine3::from_scale(DVec3::new(1.0, 2.0, 1.0)));
-        assert!(matches!(
-            sphere(unit, &stretched, false),
-            Shape::Transformed(_)
-        ));
+        assert!(matches!(sphere(unit, &stretched), Shape::Transformed(_)));
         let turned = map(DAffine3::from_rotation_y(1.0));
-        assert!(matches!(sphere(unit, &turned, false), Shape::Sphere(_)));
-        assert!(matches!(sphere(unit, &turned, true), Shape::Transformed(_)));
+        assert!(matches!(sphere(unit, &turned), Shape::Transformed(_)));
 
         let bounds = Aabb::around([DVec3::ZERO, DVec3::ONE]);
         assert!(matches!(cuboid(bounds, &turned), Shape::Transformed(_)));
