@@ -5,10 +5,10 @@
 //! were independent, the standard error of their mean would be s / sqrt(groups): batch means, doubled (Law and Carson
 //! 1979, "A sequential procedure for determining the length of a steady-state simulation").
 //!
-//! What is biased in it. Independent samples: nothing, in the variance. Sobol's points: each group is an evenly spread
-//! set by itself, and the groups complete each other; so the estimate is too large. Jittered samples in one set: the
-//! groups are parts of the grid, and the estimate is that of independent samples, which is too large; in sets of their
-//! own: nothing. Few groups: the estimate itself is uncertain, by about a quarter of its value with eight.
+//! What is biased in it. Independent samples, and independent sets of samples: nothing, in the variance. Sobol's points in one
+//! set: each group is evenly spread by itself, and the groups complete each other; so the estimate is too large. Jittered
+//! samples in one set: the groups are parts of the grid, and the estimate is that of independent samples, which is too large.
+//! Few groups: the estimate itself is uncertain, by about a quarter of its value with eight.
 
 /// The largest number of groups.
 const MOST: usize = 16;

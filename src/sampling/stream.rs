@@ -19,11 +19,11 @@ pub fn film_key(seed: u64, pixel: (u32, u32), dimension: Dimension, set: u32) ->
     splitmix64(pixel_hash(seed, pixel) ^ (u64::from(set) << 32 | dimension as u64))
 }
 
-/// The key of the sample set on light number `light` in a pixel, at the hit where the path `path` ends: one for all
-/// samples of the pixel, so that their points complete each other.
-pub fn light_key(seed: u64, pixel: (u32, u32), path: u64, light: u32) -> u64 {
+/// The key of the points on light number `light` in a pixel, at the hit where the path `path` ends: one for all samples of
+/// a `set`, so that their points complete each other.
+pub fn light_key(seed: u64, pixel: (u32, u32), path: u64, [light, set]: [u32; 2]) -> u64 {
     let path_hash = splitmix64(pixel_hash(seed, pixel) ^ path);
-    splitmix64(path_hash ^ (u64::from(light) << 32 | Dimension::Light as u64))
+    splitmix64(path_hash ^ (u64::from(light) << 32 | u64::from(set) << 8 | Dimension::Light as u64))
 }
 
 /// What the keys of a pixel have in common.

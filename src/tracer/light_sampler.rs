@@ -211,17 +211,18 @@ impl ShadowOrigin {
 }
 
 /// Points on a light for a path, and the number of the first one of this sample of the pixel. The points of all samples of
-/// a pixel at the end of the same path are one set; only a grid is a whole one at each hit.
+/// a set, at the end of the same path, complete each other; only a grid is a whole one at each hit.
 fn points(settings: &Settings, id: PathId, light: u32) -> (Points, u32) {
     let here = settings.light.samples;
+    let (set, sample) = settings.pixel.set_of(id.sample);
     let set = SampleSet {
-        key: stream::light_key(settings.seed, id.pixel, id.path, light),
+        key: stream::light_key(settings.seed, id.pixel, id.path, [light, set]),
         count: match settings.light.sampler {
             Sampler::Grid => here,
             _ => here * settings.pixel.set_size(),
         },
     };
-    (Points::new(settings.light.sampler, set), id.sample * here)
+    (Points::new(settings.light.sampler, set), sample * here)
 }
 
 /// The light's polygon as the surface sees it, if points on it are chosen in proportion to what they bring.

@@ -15,6 +15,7 @@ mod area_lights;
 mod arithmetic;
 mod bad_scenes;
 mod bsp_sah;
+mod claimed_errors;
 mod cli;
 mod cost;
 mod document;

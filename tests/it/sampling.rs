@@ -286,14 +286,10 @@ fn standard_errors_are_right_or_too_large() {
     for samples in [5, 16, 64] {
         assert!((ratio(Sampler::Random, samples, 1) - 1.0).abs() < 0.1);
     }
-    assert!((ratio(Sampler::Stratified, 64, 8) - 1.0).abs() < 0.1);
-    for (sampling, sets) in [
-        (Sampler::Stratified, 1),
-        (Sampler::Sobol, 1),
-        (Sampler::Sobol, 8),
-    ] {
+    for sampling in [Sampler::Stratified, Sampler::Sobol] {
+        assert!((ratio(sampling, 64, 8) - 1.0).abs() < 0.1);
         for samples in [16, 64, 256] {
-            let ratio = ratio(sampling, samples, sets);
+            let ratio = ratio(sampling, samples, 1);
             assert!(ratio > 0.97 && ratio < 8.0, "{ratio}");
         }
     }

@@ -43,6 +43,16 @@ impl PixelSampling {
         self.samples.div_ceil(self.sets.max(1))
     }
 
+    /// The set that a sample belongs to, and its number in the set. A single set goes on for ever.
+    #[inline]
+    pub fn set_of(&self, sample: u32) -> (u32, u32) {
+        if self.sets > 1 {
+            (sample / self.set_size(), sample % self.set_size())
+        } else {
+            (0, sample)
+        }
+    }
+
     /// Samples that do not count: they decide how many others there are.
     pub fn pilot(&self) -> u32 {
         match self.adaptive {

@@ -49,11 +49,12 @@ pub fn camera_sample(settings: &Settings, pixel: (u32, u32), index: u32) -> Came
     }
 }
 
-/// The point in [0, 1)^2 of a sample. Sobol's sequence goes on from set to set; of the others each set has points of its own.
+/// The point in [0, 1)^2 of a sample. Each set has points of its own, independent of all others. Where there is one set and a
+/// pixel needs more samples than it has, Sobol's sequence goes on; of the others a further set begins.
 fn point(settings: &Settings, pixel: (u32, u32), dimension: Dimension, index: u32) -> [f64; 2] {
     let count = settings.pixel.set_size();
     let (set, index) = match settings.pixel.sampler {
-        Sampler::Sobol => (0, index),
+        Sampler::Sobol => settings.pixel.set_of(index),
         _ => (index / count, index % count),
     };
     let key = match settings.pixel.sampler {
@@ -98,21 +99,25 @@ mod tests {
     }
 
     #[test]
-    fn sets_of_jittered_samples_have_points_of_their_own_and_sobol_goes_on() {
-        let one = Settings::default().with(|s| {
-            s.pixel.samples = 8;
-            s.pixel.sampler = Sampler::Stratified;
-        });
-        let two = one.with(|s| {
-            s.pixel.samples = 16;
-            s.pixel.sets = 2;
-        });
-        let (first, both) = (films(&one), films(&two));
-        assert_eq!(first, both[..8]);
-        assert!(first.iter().all(|film| !both[8..].contains(film)));
-        let sobol = |settings: Settings| settings.with(|s| s.pixel.sampler = Sampler::Sobol);
-        let whole = two.with(|s| s.pixel.sets = 1);
-        assert_eq!(films(&sobol(whole)), films(&sobol(two)));
+    fn each_set_has_points_of_its_own() {
+        for sampler in [Sampler::Random, Sampler::Stratified, Sampler::Sobol] {
+            let one = Settings::default().with(|s| {
+                s.pixel.samples = 8;
+                s.pixel.sampler = sampler;
+            });
+            let two = one.with(|s| {
+                s.pixel.samples = 16;
+                s.pixel.sets = 2;
+            });
+            let (first, both) = (films(&one), films(&two));
+            assert_eq!(first, both[..8], "{sampler:?}");
+            assert!(
+                first.iter().all(|film| !both[8..].contains(film)),
+                "{sampler:?}"
+            );
+            let whole = films(&two.with(|s| s.pixel.sets = 1));
+            assert_eq!(whole != both, sampler != Sampler::Random, "{sampler:?}");
+        }
     }
 
     #[test]
