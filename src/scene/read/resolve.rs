@@ -12,7 +12,6 @@ mod model;
 mod objects;
 mod resolver;
 mod settings;
-mod shapes;
 mod surface;
 mod transform;
 

@@ -2,7 +2,6 @@
 
 use super::header::{Group, Header};
 use super::resolver::Resolver;
-use super::shapes::in_world;
 use super::surface::{LocalSurface, surface};
 use crate::scene::limits::MAX_GROUP_DEPTH;
 use crate::scene::read::error::{FieldPath, SceneError};
@@ -56,7 +55,10 @@ impl Resolver {
                 self.add_mesh(&header, material, mesh)
             }
             (_, Some(LocalSurface::Shape(shape)), Some(material)) => {
-                let shape = in_world(shape, header.to_world.as_ref());
+                let shape = match &header.to_world {
+                    Some(map) => shape.moved(map),
+                    None => shape,
+                };
                 self.begin(&header.name, material, &header.path)?;
                 self.add_shape(shape, &header.path)
             }
