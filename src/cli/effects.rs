@@ -1,4 +1,4 @@
-//! `raytree effects`: what a scene calls for, and why.
+//! `raytree effects`: what a scene needs, and why.
 
 use clap::Args;
 use serde_json::json;

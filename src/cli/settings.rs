@@ -25,7 +25,7 @@ const AUTO: Word = Word {
     doc: "The fastest for the scene, as measured",
 };
 
-/// Which scene, and how it is traced. What is not given is what the scene asks for.
+/// Which scene, and how it is traced. Settings that are not given are those of the scene file.
 #[derive(Args, Clone, Debug)]
 pub struct SceneArgs {
     /// A built-in scene, a .json scene file or an .obj file
