@@ -5,6 +5,7 @@ mod color;
 mod command_line;
 mod cost;
 mod effects;
+mod notices;
 mod output;
 mod render;
 mod scenes;

@@ -4,6 +4,7 @@
 //! the tracer panic. [`read`] is the reader, [`gallery`] the built-in scenes.
 
 pub mod camera;
+pub mod check;
 pub mod effects;
 pub mod gallery;
 pub mod limits;

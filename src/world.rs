@@ -1,11 +1,13 @@
 //! World: a scene with the acceleration structure over it, and the media that its rays travel in.
 
+pub mod checks;
 mod closed;
 mod contact;
 pub mod interface;
 pub mod medium;
 mod rank;
 mod ray_budget;
+mod shells;
 
 use crate::accel::{Accel, AccelKind, Progress, exit_of_solid};
 use crate::geometry::{Hit, Shear};

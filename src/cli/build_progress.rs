@@ -14,8 +14,9 @@ const SHORT: Duration = Duration::from_millis(300);
 /// Steps of the bar.
 const STEPS: f64 = 1000.0;
 
-/// Builds the accelerator, with a bar on standard error if that is a terminal and it takes its time.
-pub fn world(scene: Scene, kind: AccelKind) -> World {
+/// Builds the accelerator, with a bar on standard error if that is a terminal, it takes its time and the
+/// user does not want it `quiet`.
+pub fn world(scene: Scene, kind: AccelKind, quiet: bool) -> World {
     let start = Instant::now();
     let bar = ProgressBar::with_draw_target(Some(STEPS as u64), ProgressDrawTarget::hidden());
     let style = ProgressStyle::with_template("{msg}  {wide_bar} {percent:>3} %  {eta} left");
@@ -26,7 +27,7 @@ pub fn world(scene: Scene, kind: AccelKind) -> World {
         kind.name()
     ));
     let world = World::watched(scene, kind, &|done| {
-        if bar.is_hidden() && start.elapsed() > SHORT {
+        if !quiet && bar.is_hidden() && start.elapsed() > SHORT {
             bar.set_draw_target(ProgressDrawTarget::stderr());
         }
         bar.set_position((STEPS * done) as u64);

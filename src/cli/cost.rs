@@ -23,7 +23,7 @@ use crate::lab::{
 use crate::sampling::Sampler;
 use crate::scene::limits::MAX_SECONDS;
 use crate::scene::settings::Image;
-use crate::scene::{Sampling, Settings, flags};
+use crate::scene::{Sampling, Scene, Settings, flags};
 use crate::world::World;
 
 /// The size of the pictures if none is asked for: small, since many are rendered.
@@ -117,7 +117,7 @@ impl Cost {
             .filter(is_asked)
             .collect();
         let wanted: usize = parameters.iter().map(|k| k.steps.len()).sum();
-        let bar = progress_bar(wanted * (runs + 1));
+        let bar = progress_bar(wanted * (runs + 1), self.scene.notices.quiet);
         let mut lab = Lab {
             world,
             accel: base.accel,
@@ -137,39 +137,46 @@ impl Cost {
         let found = self.measure_all(&mut lab, &parameters, model, ends, &bar);
         bar.finish_and_clear();
         let again = self.again(&base, &lab.world, effort);
-        self.write(&found, &lab.world.scene.name, &base.image, &again)?;
+        self.write(&found, &lab.world.scene, &base.image, &again)?;
         let done: usize = found.sweeps.iter().map(|s| s.steps.len()).sum();
         if done < wanted {
-            eprintln!(
-                "warning: the budget of {} s ended before {} of {wanted} settings (raise --budget, or lower --size or --most)",
+            self.scene.notices.warn(format!(
+                "the budget of {} s ended before {} of {wanted} settings (raise --budget, or lower --size or --most)",
                 self.budget,
                 wanted - done
-            );
+            ));
             return Ok(Completion::Cut);
         }
         Ok(Completion::Whole)
     }
 
     /// Writes what was found, in the form that was asked for.
-    fn write(&self, found: &Found, scene: &str, image: &Image, again: &str) -> Result<(), Failure> {
+    fn write(
+        &self,
+        found: &Found,
+        scene: &Scene,
+        image: &Image,
+        again: &str,
+    ) -> Result<(), Failure> {
         let Found {
             sweeps,
             comparisons,
         } = found;
-        let title = format!("{scene}, {}x{}", image.width, image.height);
+        let title = format!("{}, {}x{}", scene.name, image.width, image.height);
         if let Some(path) = &self.plot {
             let svg = plot::svg(&title, sweeps);
             output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
         }
         let mut crops = String::new();
         if comparisons.is_empty() && self.strip.is_some() {
-            eprintln!("warning: no strip: nothing that it could show was measured");
+            let notices = self.scene.notices;
+            notices.warn("no strip: nothing that it could show was measured");
         } else if let Some(path) = &self.strip {
             output::write_png(path, &equal_time::picture(comparisons), image.exposure)?;
             crops = table::comparisons(comparisons, path);
         }
         let text = if self.json {
-            format!("{:#}\n", record::json(sweeps, again))
+            format!("{:#}\n", record::json(sweeps, again, &scene.warnings))
         } else if self.csv {
             record::csv(sweeps)
         } else {
@@ -314,7 +321,10 @@ impl Cost {
     }
 }
 
-fn progress_bar(steps: usize) -> ProgressBar {
+fn progress_bar(steps: usize, quiet: bool) -> ProgressBar {
+    if quiet {
+        return ProgressBar::hidden();
+    }
     let bar = ProgressBar::new(steps as u64);
     // The style is a constant that is known to be right.
     if let Ok(style) = ProgressStyle::with_template("{bar:30} {elapsed} {wide_msg}") {

@@ -1,10 +1,14 @@
-//! `raytree effects`: what a scene needs, and why.
+//! `raytree effects`: what a scene calls for, and why.
 
 use clap::Args;
 use serde_json::json;
 
+use super::notices::Notices;
+use super::settings::{SceneArgs, SettingsArgs};
 use super::{Completion, Failure, output};
+use crate::accel::fastest;
 use crate::scene::effects::findings;
+use crate::trace::document;
 
 #[derive(Args)]
 pub struct Effects {
@@ -13,17 +17,27 @@ pub struct Effects {
     /// As JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    notices: Notices,
 }
 
 impl Effects {
     pub fn run(&self) -> Result<Completion, Failure> {
-        let findings = findings(&crate::scene::load(&self.scene)?);
+        let scene = SceneArgs {
+            scene: self.scene.clone(),
+            notices: self.notices,
+            settings: SettingsArgs::default(),
+        };
+        // With its surfaces in space, where warnings may be.
+        let scene = scene.load(fastest)?.0.scene;
+        let findings = findings(&scene);
         if self.json {
             let list: Vec<_> = findings
                 .iter()
                 .map(|f| json!({ "effect": f.effect.name(), "on": f.on, "reason": f.reason }))
                 .collect();
-            return output::to_stdout(format!("{:#}\n", serde_json::Value::from(list)).as_bytes());
+            let all = json!({ "effects": list, "warnings": document::list(&scene.warnings) });
+            return output::to_stdout(format!("{all:#}\n").as_bytes());
         }
         let mut text = String::new();
         for finding in &findings {

@@ -95,26 +95,26 @@ impl Render {
             files::samples(path, film)?;
         }
         if let Some(counts) = &made.counts {
-            stats::tell(settings, counts, seconds, self.json)?;
+            stats::tell(settings, counts, seconds, self.json.then_some(&world.scene))?;
         }
-        let name = &self.scene.scene;
+        let (name, notices) = (&self.scene.scene, self.scene.notices);
         if let (Some(found), Some(wanted)) = (&made.found, self.until_error) {
             eprint!("{}", report::passes(found, wanted, (name, &world.scene)));
         }
         if let Some(((x, y), sample)) = film.non_finite.first {
             let count = film.non_finite.count;
             let words = command_line::words(name, settings, &world.scene);
-            eprintln!(
-                "warning: samples without a finite radiance: {count}; they count as black. The first is sample {sample} \
+            notices.warn(format!(
+                "samples without a finite radiance: {count}; they count as black. The first is sample {sample} \
 of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
-            );
+            ));
         }
         if interrupted.load(Ordering::Relaxed) {
-            eprintln!("warning: interrupted: the tiles that were not reached are black");
+            notices.warn("interrupted: the tiles that were not reached are black");
             return Ok(Completion::Cut);
         }
         if film.truncated {
-            eprintln!("warning: {CUT}");
+            notices.warn(CUT);
             return Ok(Completion::Cut);
         }
         let missed = made
@@ -148,7 +148,7 @@ choose --sampling random, jittered or sobol"
 
     /// Renders with a progress bar; counting costs a little, so it is done only if somebody asks.
     fn film(&self, world: &World, settings: &Settings, stop: &AtomicBool) -> Made {
-        let bar = progress_bar(settings);
+        let bar = progress_bar(settings, self.scene.notices.quiet);
         let rays = std::sync::atomic::AtomicU64::new(0);
         let start = Instant::now();
         let watch = |pixels, more| {
@@ -200,7 +200,10 @@ fn size_of_terminal(settings: &Settings) -> (u32, u32) {
 }
 
 /// A bar on standard error, hidden where that is no terminal, and for the first moment.
-fn progress_bar(settings: &Settings) -> ProgressBar {
+fn progress_bar(settings: &Settings, quiet: bool) -> ProgressBar {
+    if quiet {
+        return ProgressBar::hidden();
+    }
     let pixels = u64::from(settings.image.width) * u64::from(settings.image.height);
     let bar = ProgressBar::with_draw_target(Some(pixels), ProgressDrawTarget::stderr());
     let style = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {msg}  {eta} left");

@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _, 
 use clap::error::Error;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
 
+use super::notices::Notices;
 use super::{Failure, build_progress};
 use crate::accel::{AccelKind, fastest};
 use crate::geometry::Shape;
@@ -14,7 +15,7 @@ use crate::scene::limits::MAX_THREADS;
 use crate::scene::settings::knob::{Kind, Knob, Value, Word};
 use crate::scene::settings::knobs::knobs;
 use crate::scene::{Scene, Settings};
-use crate::world::World;
+use crate::world::{World, checks};
 
 /// What decides on the accelerator if the user does not.
 pub type Decide = fn(&[Shape]) -> AccelKind;
@@ -25,11 +26,13 @@ const AUTO: Word = Word {
     doc: "The fastest for the scene, as measured",
 };
 
-/// Which scene, and how it is traced. Settings that are not given are those of the scene file.
+/// Which scene, and how it is traced. What is not given is what the scene asks for.
 #[derive(Args, Clone, Debug)]
 pub struct SceneArgs {
     /// A built-in scene, a .json scene file or an .obj file
     pub scene: String,
+    #[command(flatten)]
+    pub notices: Notices,
     #[command(flatten)]
     pub settings: SettingsArgs,
 }
@@ -166,25 +169,31 @@ fn parser(knob: &Knob) -> ValueParser {
 }
 
 impl SceneArgs {
-    /// Reads the scene, tells its warnings and builds its accelerator: what `accel` says if the user does not.
+    /// Reads the scene and builds its accelerator: what `accel` says if the user does not. Tells all warnings, which the scene
+    /// then has, and fails if none is allowed.
     pub fn load(&self, accel: Decide) -> Result<(World, Settings), Failure> {
         let scene = crate::scene::load(&self.scene)?;
-        for warning in &scene.warnings {
-            eprintln!("warning: {warning}");
-        }
+        let notices = self.notices;
+        notices.tell(&scene.warnings);
         let settings = self.settings.over(&scene, accel);
         check::pixel(&settings.pixel)?;
         for effect in settings.left_out(&scene) {
-            eprintln!("note: {} is left out: {}", effect.name(), effect.without());
+            let text = format!("{} is left out: {}", effect.name(), effect.without());
+            notices.note(text);
         }
         for deviation in settings.arithmetic.deviations() {
-            eprintln!(
-                "note: --{} {}: {}",
+            notices.note(format!(
+                "--{} {}: {}",
                 deviation.choice, deviation.value, deviation.note
-            );
+            ));
         }
         let scene = scene.computed_with(settings.arithmetic);
-        Ok((build_progress::world(scene, settings.accel), settings))
+        let mut world = build_progress::world(scene, settings.accel, notices.quiet);
+        let found = checks::warnings(&world, &settings, &self.scene);
+        notices.tell(&found);
+        world.scene.warnings.extend(found);
+        notices.deny(&self.scene, world.scene.warnings.len())?;
+        Ok((world, settings))
     }
 }
 

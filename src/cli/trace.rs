@@ -66,13 +66,13 @@ impl Trace {
         })?;
         if trace.tree.dropped > 0 {
             let dropped = trace.tree.dropped;
-            eprintln!(
-                "warning: the log is full; {dropped} events were not kept (try a smaller --depth)"
-            );
+            self.scene.notices.warn(format!(
+                "the log is full; {dropped} events were not kept (try a smaller --depth)"
+            ));
             return Ok(Completion::Cut);
         }
         if trace.pixel.truncated {
-            eprintln!("warning: {}", super::render::CUT);
+            self.scene.notices.warn(super::render::CUT);
             return Ok(Completion::Cut);
         }
         Ok(Completion::Whole)

@@ -2,6 +2,7 @@
 
 use clap::Args;
 
+use super::notices::Notices;
 use super::settings::{SceneArgs, SettingsArgs};
 use super::{ColorArg, Completion, Failure};
 use crate::accel::clearest;
@@ -42,6 +43,7 @@ impl Default for View {
         Self {
             scene: SceneArgs {
                 scene: DEFAULT_SCENE.to_owned(),
+                notices: Notices::default(),
                 settings: SettingsArgs::default(),
             },
             color: ColorArg::Auto,

@@ -2,7 +2,7 @@
 
 use super::{Aabb, Intersection, SurfacePoint};
 use crate::math::rounding::gamma;
-use crate::math::{DVec2, DVec3, Interval, Ray, Transform};
+use crate::math::{DVec2, DVec3, Interval, Ray};
 
 /// A solid box. Outwards is away from its middle; u and v run from 0 to 1 over each face.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,17 +19,6 @@ struct Slab {
 }
 
 impl Cuboid {
-    /// The box in world space, if its faces are along the axes there: if every axis goes to an axis.
-    pub fn moved(&self, map: &Transform) -> Option<Self> {
-        let to_axis = |v: DVec3| v.to_array().iter().filter(|c| **c != 0.0).count() == 1;
-        let stays = DVec3::AXES.iter().all(|&axis| to_axis(map.vector(axis)));
-        stays.then(|| Self {
-            bounds: Aabb::around(
-                [self.bounds.min, self.bounds.max].map(|corner| map.point(corner)),
-            ),
-        })
-    }
-
     /// The first crossing inside the interval.
     #[inline]
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {

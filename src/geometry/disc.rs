@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{Aabb, Intersection, SurfacePoint};
 use crate::math::rounding::gamma;
-use crate::math::{DVec2, DVec3, Frame, Interval, Ray, Transform};
+use crate::math::{DVec2, DVec3, Frame, Interval, Ray};
 
 /// All points of a plane within `radius` of `center`. Outwards is where the normal points.
 ///
@@ -28,13 +28,6 @@ impl Disc {
             frame,
             radius,
         }
-    }
-
-    /// The disc in world space, if it is one there and its u and v are where they were: not if it is stretched or turned.
-    pub fn moved(&self, map: &Transform) -> Option<Self> {
-        let scale = map.uniform_scale().filter(|_| !map.turns())?;
-        let (center, normal) = (map.point(self.center), map.normal(self.frame.w));
-        Some(Self::new(center, normal, self.radius * scale))
     }
 
     /// The crossing t = n.(c - o) / (n.direction) with its plane, if that is within the radius. What is rounded acts as

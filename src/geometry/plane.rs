@@ -2,7 +2,7 @@
 
 use super::{Intersection, SurfacePoint};
 use crate::math::rounding::gamma;
-use crate::math::{DVec2, DVec3, Frame, Interval, Ray, Transform};
+use crate::math::{DVec2, DVec3, Frame, Interval, Ray};
 
 /// All points p with n.p = d. Outwards is where the unit normal n points.
 ///
@@ -22,12 +22,6 @@ impl Plane {
             frame: Frame::around(normal),
             d: normal.dot(point),
         }
-    }
-
-    /// The plane in world space.
-    #[must_use]
-    pub fn moved(&self, map: &Transform) -> Self {
-        Self::new(map.point(self.point), map.normal(self.normal()))
     }
 
     /// The point that it was given by.

@@ -9,7 +9,7 @@ pub use transformed::Transformed;
 use super::{
     Aabb, Arithmetic, Cuboid, Disc, Intersection, Plane, Shear, Sphere, SurfacePoint, Triangle,
 };
-use crate::math::{Interval, Ray, Transform};
+use crate::math::{Interval, Ray};
 
 /// A shape in the world: the closed set of what can be hit. Those that are larger than a triangle are boxed, since
 /// there may be millions of triangles.
@@ -40,24 +40,6 @@ fn enters_solid([enter, exit]: [f64; 2], t: f64) -> Option<bool> {
 }
 
 impl Shape {
-    /// The shape in world space. One that keeps its kind there is of that kind again; any other is tested in its own space.
-    #[must_use]
-    pub fn moved(self, map: &Transform) -> Self {
-        let same_kind = match &self {
-            Self::Sphere(sphere) => sphere.moved(map).map(Self::Sphere),
-            Self::Plane(plane) => Some(Self::Plane(Box::new(plane.moved(map)))),
-            Self::Cuboid(cuboid) => cuboid.moved(map).map(Self::Cuboid),
-            Self::Disc(disc) => disc.moved(map).map(|disc| Self::Disc(Box::new(disc))),
-            Self::Triangle(_) | Self::Transformed(_) | Self::Naive(_) => None,
-        };
-        same_kind.unwrap_or_else(|| {
-            Self::Transformed(Box::new(Transformed {
-                shape: self,
-                transform: *map,
-            }))
-        })
-    }
-
     /// Where `ray` first crosses the shape inside `interval`. `shear` is [`Shear::new`] of the same ray.
     #[inline]
     pub fn intersect(&self, ray: &Ray, shear: &Shear, interval: Interval) -> Intersection {
@@ -160,51 +142,5 @@ impl Shape {
             Self::Transformed(transformed) => transformed.shape.kind(),
             Self::Naive(naive) => naive.shape.kind(),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use glam::DAffine3;
-
-    use super::*;
-    use crate::math::DVec3;
-
-    fn map(m: DAffine3) -> Transform {
-        Transform::new(m).expect("can be undone")
-    }
-
-    #[test]
-    fn a_moved_shape_keeps_its_kind_where_it_can() {
-        let unit = Shape::Sphere(Sphere {
-            center: DVec3::X,
-            radius: 1.0,
-        });
-        let grown = map(DAffine3::from_scale(DVec3::splat(2.0)));
-        let Shape::Sphere(s) = unit.clone().moved(&grown) else {
-            panic!("evenly scaled")
-        };
-        assert_eq!((s.center, s.radius), (DVec3::X * 2.0, 2.0));
-        let stretched = map(DAffine3::from_scale(DVec3::new(1.0, 2.0, 1.0)));
-        let turned = map(DAffine3::from_rotation_y(1.0));
-        for map in [stretched, turned] {
-            assert!(matches!(unit.clone().moved(&map), Shape::Transformed(_)));
-        }
-
-        let block = Shape::Cuboid(Cuboid {
-            bounds: Aabb::around([DVec3::ZERO, DVec3::ONE]),
-        });
-        assert!(matches!(
-            block.clone().moved(&turned),
-            Shape::Transformed(_)
-        ));
-        let flipped = map(DAffine3::from_scale(DVec3::new(-2.0, 1.0, 1.0)));
-        let Shape::Cuboid(c) = block.moved(&flipped) else {
-            panic!("along the axes")
-        };
-        assert_eq!(
-            (c.bounds.min, c.bounds.max),
-            (DVec3::new(-2.0, 0.0, 0.0), DVec3::new(0.0, 1.0, 1.0))
-        );
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Aabb, Intersection, SurfacePoint};
 use crate::math::rounding::gamma;
-use crate::math::{DVec2, DVec3, Interval, Ray, Transform};
+use crate::math::{DVec2, DVec3, Interval, Ray};
 
 /// All points at distance `radius` from `center`. Outwards is away from the centre.
 ///
@@ -30,15 +30,6 @@ impl Sphere {
     /// Its volume.
     pub fn volume(&self) -> f64 {
         4.0 / 3.0 * std::f64::consts::PI * self.radius.powi(3)
-    }
-
-    /// The sphere in world space, if it is one there and its u and v are where they were: not if it is stretched or turned.
-    pub fn moved(&self, map: &Transform) -> Option<Self> {
-        let scale = map.uniform_scale().filter(|_| !map.turns())?;
-        Some(Self {
-            center: map.point(self.center),
-            radius: self.radius * scale,
-        })
     }
 
     /// The two crossings of the ray's line, in order; `None` if it misses.

@@ -82,12 +82,6 @@ impl Transform {
         self.to_world.matrix3.determinant() < 0.0
     }
 
-    /// True unless every axis keeps its direction.
-    pub fn turns(&self) -> bool {
-        let keeps = |axis: DVec3| self.vector(axis) == axis * self.vector(axis).dot(axis).abs();
-        !DVec3::AXES.into_iter().all(keeps)
-    }
-
     /// If the map only moves, turns and scales evenly: the factor by which lengths grow.
     pub fn uniform_scale(&self) -> Option<f64> {
         let m = self.to_world.matrix3;

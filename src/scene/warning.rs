@@ -4,6 +4,9 @@
 
 use std::fmt;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::error::{SceneError, first_line, printable};
 use super::limits::MAX_WARNINGS;
 
@@ -28,9 +31,13 @@ pub struct Warning {
     Hash,
     PartialOrd,
     Ord,
+    Serialize,
+    Deserialize,
+    JsonSchema,
     strum::IntoStaticStr,
     strum::VariantArray,
 )]
+#[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum WarningCode {
     /// The scene has no objects.
@@ -43,6 +50,34 @@ pub enum WarningCode {
     MissingLibrary,
     /// A material that no file describes.
     MissingMaterial,
+    /// Corner normals on the other side than the order of the corners says, which are not used.
+    NormalsAgainstWinding,
+    /// A coefficient of a material above 1.
+    ShareAboveOne,
+    /// A material whose coefficients add up to more than 1.
+    SumAboveOne,
+    /// A colour of light from 0 to 255.
+    #[serde(rename = "color-to-255")]
+    #[strum(serialize = "color-to-255")]
+    ColorTo255,
+    /// An angle in radians where degrees are asked.
+    AngleInRadians,
+    /// No light on what shows nothing but light.
+    NoLight,
+    /// A light that cannot be seen on anything.
+    LightOfNoUse,
+    /// A closed transparent body with its faces turned inwards.
+    InsideOut,
+    /// A transparent body some of whose faces are turned over.
+    MixedWinding,
+    /// A transparent body that is open.
+    OpenBody,
+    /// An eye inside of something opaque, with all light outside.
+    EyeInside,
+    /// A lamp inside of something opaque.
+    LampInside,
+    /// A camera that sees no object.
+    NothingInView,
     /// More kinds of warnings than are kept.
     MoreWarnings,
 }

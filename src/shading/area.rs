@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 
 use super::light_sample::{LightSample, MAX_ATTENUATION};
 use super::projected::ProjectedPolygon;
-use crate::geometry::Shape;
+use crate::geometry::{Aabb, Shape};
 use crate::math::{DVec3, Rgb};
 use crate::probe::ProjectedShare;
 use shape::LightPoint;
@@ -31,6 +31,8 @@ pub struct Area {
     pub area: f64,
     /// Its shape.
     pub shape: AreaShape,
+    /// A box around it.
+    pub bounds: Aabb,
     /// Its largest coordinate: the error of a hit on it is proportional to this.
     max_coordinate: f64,
 }
@@ -40,18 +42,14 @@ impl Area {
     /// they have no area.
     pub fn new(shapes: &[Shape], radiance: Rgb) -> Option<Self> {
         let (shape, area) = AreaShape::new(shapes)?;
-        let max_coordinate =
-            shapes
-                .iter()
-                .filter_map(Shape::bounds)
-                .fold(0.0, |largest: f64, bounds| {
-                    largest.max(bounds.min.abs().max(bounds.max.abs()).max_element())
-                });
+        let boxes = shapes.iter().filter_map(Shape::bounds);
+        let bounds = boxes.fold(Aabb::EMPTY, Aabb::union);
         (area > 0.0 && area.is_finite()).then_some(Self {
             radiance,
             area,
             shape,
-            max_coordinate,
+            bounds,
+            max_coordinate: bounds.min.abs().max(bounds.max.abs()).max_element(),
         })
     }
 

@@ -9,6 +9,7 @@ mod path;
 mod settings;
 mod step;
 mod term;
+mod warning;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -21,6 +22,7 @@ pub use path::RayInTree;
 pub use settings::{AdaptiveSettings, ArithmeticSettings, DocumentSettings};
 pub use step::{TestedPrimitive, TraversalStep, VisitedChildren};
 pub use term::{TermFactors, TermValue};
+pub use warning::{DocumentWarning, list};
 
 use crate::math::Rgb;
 
@@ -44,6 +46,9 @@ pub struct Document {
     pub image: ImageSize,
     /// The pixel.
     pub pixel: PixelIndex,
+    /// What of the scene is strange; absent if nothing is.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<DocumentWarning>,
     /// Every setting that changes the picture.
     pub settings: DocumentSettings,
     /// What `render` puts into this pixel, bit for bit.

@@ -3,10 +3,21 @@
 use crate::geometry::Shape;
 use crate::math::DVec3;
 
-/// True if the shapes are solids, or triangles that close: each edge is run through as often in one direction as in the
-/// other. What it costs is a sort of the edges.
-pub fn is_closed(shapes: &[Shape]) -> bool {
+/// Whether shapes bound a part of space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Closing {
+    /// They are solids, or triangles that close: each edge is run through as often in one direction as in the other.
+    Closed,
+    /// Triangles close, but some are turned over: at so many edges.
+    Mixed(usize),
+    /// Something without an inside, or triangles with so many edges that have no triangle on the other side.
+    Open(usize),
+}
+
+/// Whether the shapes bound a part of space. What it costs is a sort of the edges.
+pub fn closing(shapes: &[Shape]) -> Closing {
     let mut edges: Vec<(Edge, i32)> = Vec::new();
+    let mut sheets = false;
     for shape in shapes {
         match shape.plain() {
             Shape::Triangle(triangle) => {
@@ -19,14 +30,27 @@ pub fn is_closed(shapes: &[Shape]) -> bool {
                     ),
                 );
             }
-            solid if solid.is_solid() => {}
-            _ => return false,
+            other => sheets |= !other.is_solid(),
         }
     }
     edges.sort_unstable();
-    edges
-        .chunk_by(|(a, _), (b, _)| a == b)
-        .all(|same| same.iter().map(|(_, way)| way).sum::<i32>() == 0)
+    let (mut open, mut turned) = (0, 0);
+    for same in edges.chunk_by(|(a, _), (b, _)| a == b) {
+        if same.iter().map(|(_, way)| way).sum::<i32>() != 0 {
+            let lone = same.len() % 2 == 1;
+            *(if lone { &mut open } else { &mut turned }) += 1;
+        }
+    }
+    match (sheets || open > 0, turned) {
+        (true, _) => Closing::Open(open),
+        (false, 0) => Closing::Closed,
+        (false, turned) => Closing::Mixed(turned),
+    }
+}
+
+/// True if the shapes bound a part of space.
+pub fn is_closed(shapes: &[Shape]) -> bool {
+    closing(shapes) == Closing::Closed
 }
 
 /// The volume inside of shapes that are closed, in cubic metres, as rounded. Of triangles: the sum of the tetrahedra that they
@@ -48,7 +72,7 @@ pub fn enclosed_volume(shapes: &[Shape]) -> f64 {
 type Edge = ([u64; 3], [u64; 3]);
 
 /// A point that can be compared: -0 is 0.
-fn bits(point: DVec3) -> [u64; 3] {
+pub fn bits(point: DVec3) -> [u64; 3] {
     (point + 0.0).to_array().map(f64::to_bits)
 }
 

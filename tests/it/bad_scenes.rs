@@ -57,7 +57,7 @@ fn refused(bytes: &[u8]) -> String {
 fn scene(rest: &str) -> String {
     format!(
         r#"{{"format": "raytree-scene/1", "camera": {{"eye": [0, 0, 5], "look_at": [0, 0, 0]}},
-"materials": {{"red": {{"diffuse": [1, 0, 0]}}}}{rest}}}"#
+"ambient": [1, 1, 1], "materials": {{"red": {{"diffuse": [1, 0, 0]}}}}{rest}}}"#
     )
 }
 

@@ -1,5 +1,6 @@
 //! The command line as a user types it: what it prints, where, and with which exit status.
 
+mod notices;
 mod samples;
 mod stability;
 
@@ -197,8 +198,8 @@ fn effects_are_listed_and_what_is_left_out_is_said() {
     );
     let json = run(&["effects", "glass-block", "--json"]).out;
     let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
-    assert_eq!(json[4]["effect"], "refraction");
-    assert_eq!(json[4]["on"], true);
+    assert_eq!(json["effects"][4]["effect"], "refraction");
+    assert_eq!(json["effects"][4]["on"], true);
     let whole = run(&["render", "whitted", "--size", "8x6"]);
     assert_eq!(whole.err, "");
     let part = run(&[

@@ -145,7 +145,7 @@ fn light() -> impl Strategy<Value = &'static str> {
         Just(
             r#"{"spot": {"name": "NAME", "position": [0, 3, 0], "look_at": [0, 0, 0], "intensity": [1, 1, 0], "cone_angle": 30}}"#
         ),
-        Just(r#"{"area": {"name": "NAME", "object": "lamp"}}"#),
+        Just(r#"{"area": {"name": "NAME", "object": "lamp of NAME"}}"#),
     ]
 }
 
@@ -169,7 +169,8 @@ fn random_scene() -> impl Strategy<Value = String> {
                   {{"sphere": {{"name": "ball", "material": "a", "center": [-0.7, 0.6, 0], "radius": 0.6}}}},
                   {{"box": {{"name": "box", "material": "b", "min": [0.2, 0, -0.5], "max": [1, 0.9, 0.3]}}}},
                   {{"plane": {{"name": "floor", "material": "c", "point": [0, 0, 0], "normal": [0, 1, 0]}}}},
-                  {{"disc": {{"name": "lamp", "material": "lamp", "center": [0, 2.5, 0], "normal": [0, -1, 0], "radius": 0.5}}}}
+                  {{"disc": {{"name": "lamp of light 0", "material": "lamp", "center": [0, 2.5, 0], "normal": [0, -1, 0], "radius": 0.5}}}},
+                  {{"disc": {{"name": "lamp of light 1", "material": "lamp", "center": [0.8, 2, 1], "normal": [0, -1, 0], "radius": 0.3}}}}
                 ]}}"#
             )
         })

@@ -38,4 +38,5 @@ mod spd;
 mod stepping;
 mod tidy;
 mod tui;
+mod warnings;
 mod work_counts;

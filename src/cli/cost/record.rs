@@ -5,9 +5,11 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use crate::lab::{Measured, Sweep};
+use crate::scene::Warning;
+use crate::trace::document;
 
 /// All of it. Times are seconds; what does not depend on time is the same when `again` is run.
-pub fn json(sweeps: &[Sweep], again: &str) -> Value {
+pub fn json(sweeps: &[Sweep], again: &str, warnings: &[Warning]) -> Value {
     let step = |s: &Measured| {
         json!({
             "step": s.step, "samples": s.samples, "seconds": s.seconds, "spread": s.spread, "runs": s.runs,
@@ -29,7 +31,10 @@ pub fn json(sweeps: &[Sweep], again: &str) -> Value {
             "next_halving_costs": s.slopes.and_then(|slopes| slopes.halving()),
         })
     };
-    json!({ "again": again, "sweeps": sweeps.iter().map(sweep).collect::<Vec<_>>() })
+    json!({
+        "again": again, "sweeps": sweeps.iter().map(sweep).collect::<Vec<_>>(),
+        "warnings": document::list(warnings),
+    })
 }
 
 /// A line a setting. (Writing to a string cannot fail.)

@@ -1,15 +1,15 @@
 //! What a render counted, and how long it took.
 
 use crate::cli::{Completion, Failure, output};
-use crate::scene::Settings;
-use crate::trace::Counts;
+use crate::scene::{Scene, Settings};
+use crate::trace::{Counts, document};
 
-/// The counters and times: for people on standard error, as JSON on standard output.
+/// The counters and times: for people on standard error, as JSON, with the warnings of the scene, on standard output.
 pub fn tell(
     settings: &Settings,
     counts: &Counts,
     seconds: f64,
-    json: bool,
+    json: Option<&Scene>,
 ) -> Result<Completion, Failure> {
     let Counts {
         incident,
@@ -21,12 +21,13 @@ pub fn tell(
         tests,
         hits,
     } = *counts;
-    if json {
+    if let Some(scene) = json {
         let stats = serde_json::json!({
             "image": { "width": settings.image.width, "height": settings.image.height },
             "accel": settings.accel.name(),
             "rays": { "I": incident, "L": light, "R": reflected, "T": transmitted, "passed": passed },
             "nodes": nodes, "tests": tests, "hits": hits, "seconds": seconds,
+            "warnings": document::list(&scene.warnings),
         });
         return output::to_stdout(format!("{stats:#}\n").as_bytes());
     }

@@ -86,11 +86,10 @@ impl Convergence {
     }
 }
 
-/// What stands before the standard error: Sobol's points in one set do better than independent ones, whose error it is.
+/// What stands before the standard error: Sobol's points do better than independent ones, whose error it is.
 pub fn bound(settings: &Settings, samples: u32) -> &'static str {
-    let pixel = with_samples(settings, samples).pixel;
-    match pixel.sampler {
-        Sampler::Sobol if pixel.sets <= 1 => "at most ",
+    match with_samples(settings, samples).pixel.sampler {
+        Sampler::Sobol => "at most ",
         _ => "",
     }
 }

@@ -79,8 +79,7 @@ impl Naive {
                 let ray = transformed.transform.ray_to_object(ray);
                 self.intersect_shape(&transformed.shape, &ray, &Shear::new(&ray), interval)
             }
-            (Shape::Plane(_) | Shape::Disc(_) | Shape::Cuboid(_), Precision::Double)
-            | (Shape::Naive(_), _) => shape.intersect(ray, shear, interval),
+            (other, _) => other.intersect(ray, shear, interval),
         }
     }
 

@@ -12,7 +12,7 @@ use crate::scene::read::file::{
 };
 use crate::scene::read::files::Files;
 use crate::scene::read::resolve::resolve;
-use crate::scene::{Camera, Scene};
+use crate::scene::{Camera, Scene, Warning, WarningCode};
 
 /// Scene around the OBJ file at the path `spec`, which `files` reads; `name` is the scene's and the object's.
 pub fn model_scene(spec: &str, name: &str, files: Files) -> Result<Scene, SceneError> {
@@ -23,6 +23,12 @@ pub fn model_scene(spec: &str, name: &str, files: Files) -> Result<Scene, SceneE
         field: String::new(),
         ..error
     })?;
+    // Nor did they choose the light, or write what is around the model.
+    let of_model = |w: &Warning| w.code != WarningCode::LightOfNoUse;
+    scene.warnings.retain(of_model);
+    for warning in &mut scene.warnings {
+        warning.problem.field.clear();
+    }
     let bounds = scene
         .shapes
         .iter()

@@ -12,6 +12,7 @@ mod model;
 mod objects;
 mod resolver;
 mod settings;
+mod shapes;
 mod surface;
 mod transform;
 
@@ -20,9 +21,9 @@ use std::collections::HashMap;
 use super::error::{FieldPath, SceneError};
 use super::file::SceneFile;
 use super::files::Files;
-use crate::scene::Scene;
 use crate::scene::limits::MAX_RADIANCE;
 use crate::scene::warning::Warnings;
+use crate::scene::{Scene, check};
 use camera::camera;
 use checks::color;
 use header::Group;
@@ -59,9 +60,12 @@ pub fn resolve(mut file: SceneFile, label: &str, files: Files) -> Result<Scene, 
     for (name, file) in std::mem::take(&mut file.materials) {
         let path = path.key("materials").key(&name);
         checks::name(&name, &path)?;
-        resolver.add_material(material(&name, &file, &path)?);
+        let material = material(&name, &file, &path)?;
+        check::material(&material, &path, &mut resolver.warnings);
+        resolver.add_material(material);
     }
     resolver.add_objects(&file.objects, &Group::default(), &path.key("objects"))?;
     resolver.add_lights(&file.lights, &path.key("lights"))?;
+    check::scene(&resolver.scene, &path, &mut resolver.warnings);
     Ok(resolver.finish())
 }

@@ -31,6 +31,7 @@ pub fn of(view: View) -> Document {
             x: trace.x,
             y: trace.y,
         },
+        warnings: super::list(&scene.warnings),
         settings: settings(view.settings, scene),
         color: PixelColor {
             linear,

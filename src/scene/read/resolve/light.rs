@@ -1,10 +1,11 @@
 //! Lights of a scene file.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use super::checks::{self, color, direction, number, point};
 use super::resolver::Resolver;
 use crate::math::Rgb;
+use crate::scene::check;
 use crate::scene::limits::{MAX_COORDINATE, MAX_EXPONENT, MAX_LIGHTS, MAX_RADIANCE};
 use crate::scene::read::did_you_mean::did_you_mean;
 use crate::scene::read::error::{FieldPath, SceneError};
@@ -21,6 +22,8 @@ impl Resolver {
             ));
         }
         let mut names = HashSet::new();
+        // The light that names each object.
+        let mut shining: HashMap<&str, &str> = HashMap::new();
         for (i, file) in lights.iter().enumerate() {
             let (kind, name) = file.kind_and_name();
             let path = path.index(i).key(kind);
@@ -32,13 +35,24 @@ impl Resolver {
                     "give one of them a different name",
                 ));
             }
+            if let LightFile::Area(area) = file
+                && let Some(first) = shining.insert(&area.object, name)
+            {
+                return Err(path.key("object").error(
+                    format!(
+                        "`{}` shines as `{first}` already: it would light twice what it shows",
+                        area.object
+                    ),
+                    "leave out one of the lights; for more light, raise the material's `emission`",
+                ));
+            }
             let name = name.to_string();
             self.scene.lights.push(Light { name, kind });
         }
         Ok(())
     }
 
-    fn kind(&self, file: &LightFile, path: &FieldPath) -> Result<LightKind, SceneError> {
+    fn kind(&mut self, file: &LightFile, path: &FieldPath) -> Result<LightKind, SceneError> {
         let intensity = |value: Rgb| color(value, MAX_RADIANCE, &path.key("intensity"));
         Ok(match file {
             LightFile::Point(light) => LightKind::Point {
@@ -62,6 +76,7 @@ impl Resolver {
                 })?;
                 let angle = path.key("cone_angle");
                 let degrees = number(light.cone_angle, [0.0, 180.0], &angle)?;
+                check::cone(degrees, &angle, &mut self.warnings);
                 LightKind::Spot {
                     position,
                     direction: axis,

@@ -5,7 +5,8 @@ use rayon::prelude::*;
 use super::header::Header;
 use super::resolver::Resolver;
 use crate::geometry::Triangle;
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, Transform};
+use crate::scene::VertexData;
 use crate::scene::read::error::SceneError;
 use crate::scene::read::mesh::Mesh;
 use crate::scene::warning::WarningCode;
@@ -26,26 +27,9 @@ impl Resolver {
             mut corners,
         } = mesh;
         if let Some(map) = &header.to_world {
-            points.par_iter_mut().for_each(|p| *p = map.point(*p));
-            for n in corners.normals.iter_mut().filter(|n| **n != DVec3::ZERO) {
-                *n = map.normal(*n);
-            }
-            // In a mirror, what ran counter-clockwise runs clockwise.
-            if map.flips_handedness() {
-                // Without texture coordinates of its own a triangle's u and v are the shares of its second and third corner.
-                if corners.uv_indices.is_empty() {
-                    corners.uvs = vec![DVec2::ZERO, DVec2::X, DVec2::Y];
-                    corners.uv_indices = vec![[0, 1, 2]; triangles.len()];
-                }
-                if let Some(object) = self.scene.objects.last_mut() {
-                    object.mirrored = true;
-                }
-                let lists = [&mut triangles, &mut corners.normal_indices];
-                for list in lists.into_iter().chain([&mut corners.uv_indices]) {
-                    for triangle in list.iter_mut() {
-                        triangle.swap(1, 2);
-                    }
-                }
+            carry(map, (&mut points, &mut triangles, &mut corners));
+            if let Some(object) = self.scene.objects.last_mut() {
+                object.mirrored = map.flips_handedness();
             }
         }
         let triangle = |t: &[u32; 3]| Triangle {
@@ -56,11 +40,12 @@ impl Resolver {
             .into_par_iter()
             .filter(|i| triangle(&triangles[*i as usize]).normal().is_none())
             .collect();
-        if let Some(first) = flat.first() {
-            let which = match lines.get(*first as usize) {
-                Some(line) => format!("the first is on line {line}"),
-                None => format!("the first is number {first}"),
-            };
+        let which = |number: u32| match lines.get(number as usize) {
+            Some(line) => format!("the first is on line {line}"),
+            None => format!("the first is number {number}"),
+        };
+        if let Some(&first) = flat.first() {
+            let which = which(first);
             let what = format!(
                 "object `{}`: {} of {count} triangles have no area ({which}): they are left out",
                 header.name,
@@ -69,6 +54,20 @@ impl Resolver {
             let cure = "give each triangle three corners that are not on one line";
             self.warnings
                 .add(WarningCode::NoArea, header.path.error(what, cure));
+        }
+        if let Some((first, turned)) = against_winding(&triangles, triangle, &corners) {
+            let what = format!(
+                "object `{}`: {turned} of {count} triangles have corner normals on their back ({which}): they are shaded flat",
+                header.name,
+                which = which(first),
+            );
+            let cure = "turn the normals, or the order of the corners: counter-clockwise, seen from where the normals point";
+            self.warnings.add(
+                WarningCode::NormalsAgainstWinding,
+                header.path.error(what, cure),
+            );
+        }
+        if !flat.is_empty() {
             leave_out(&flat, &mut triangles);
             leave_out(&flat, &mut corners.normal_indices);
             leave_out(&flat, &mut corners.uv_indices);
@@ -81,6 +80,51 @@ impl Resolver {
         }
         Ok(())
     }
+}
+
+/// Carries a mesh into the world.
+fn carry(
+    map: &Transform,
+    (points, triangles, corners): (&mut [DVec3], &mut Vec<[u32; 3]>, &mut VertexData),
+) {
+    points.par_iter_mut().for_each(|p| *p = map.point(*p));
+    for n in corners.normals.iter_mut().filter(|n| **n != DVec3::ZERO) {
+        *n = map.normal(*n);
+    }
+    // In a mirror, what ran counter-clockwise runs clockwise.
+    if map.flips_handedness() {
+        // Without texture coordinates of its own a triangle's u and v are the shares of its second and third corner.
+        if corners.uv_indices.is_empty() {
+            corners.uvs = vec![DVec2::ZERO, DVec2::X, DVec2::Y];
+            corners.uv_indices = vec![[0, 1, 2]; triangles.len()];
+        }
+        let lists = [triangles, &mut corners.normal_indices];
+        for list in lists.into_iter().chain([&mut corners.uv_indices]) {
+            for triangle in list.iter_mut() {
+                triangle.swap(1, 2);
+            }
+        }
+    }
+}
+
+/// Of the triangles whose corner normals all point to their back, so that shading cannot use them: the number of the first,
+/// and how many there are.
+fn against_winding(
+    triangles: &[[u32; 3]],
+    triangle: impl Fn(&[u32; 3]) -> Triangle + Sync,
+    corners: &VertexData,
+) -> Option<(u32, usize)> {
+    let turned = |(i, (points, normals)): (usize, (&[u32; 3], &[u32; 3]))| {
+        let front = triangle(points).normal()?;
+        let behind = |n: &u32| corners.normals[*n as usize].dot(front) < 0.0;
+        normals.iter().all(behind).then_some((i as u32, 1))
+    };
+    triangles
+        .par_iter()
+        .zip(&corners.normal_indices)
+        .enumerate()
+        .filter_map(turned)
+        .reduce_with(|a, b| (a.0.min(b.0), a.1 + b.1))
 }
 
 /// Takes the elements with these numbers, which ascend, out of a list.

@@ -3,6 +3,7 @@
 use super::checks;
 use super::header::Header;
 use super::resolver::Resolver;
+use crate::scene::check;
 use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::obj;
 use crate::shading::Material;
@@ -87,6 +88,7 @@ impl Resolver {
             material.name = format!("{}#{index}", material.name);
         }
         checks::name(&material.name, path)?;
+        check::material(&material, path, &mut self.warnings);
         Ok(self.add_material(material))
     }
 

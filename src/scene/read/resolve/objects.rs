@@ -2,7 +2,9 @@
 
 use super::header::{Group, Header};
 use super::resolver::Resolver;
+use super::shapes::in_world;
 use super::surface::{LocalSurface, surface};
+use crate::scene::check;
 use crate::scene::limits::MAX_GROUP_DEPTH;
 use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::ObjectFile;
@@ -35,6 +37,7 @@ impl Resolver {
     ) -> Result<(), SceneError> {
         let common = object.common();
         let path = path.key(common.kind);
+        check::rotations(common.transform, &path, &mut self.warnings);
         let own = surface(object, &path)?;
         let header = Header::new(&common, group, path)?;
         let material = match common.material {
@@ -55,10 +58,7 @@ impl Resolver {
                 self.add_mesh(&header, material, mesh)
             }
             (_, Some(LocalSurface::Shape(shape)), Some(material)) => {
-                let shape = match &header.to_world {
-                    Some(map) => shape.moved(map),
-                    None => shape,
-                };
+                let shape = in_world(shape, header.to_world.as_ref());
                 self.begin(&header.name, material, &header.path)?;
                 self.add_shape(shape, &header.path)
             }

@@ -56,7 +56,7 @@ pub const ROWS: &[Knob] = &[
     Knob {
         flag: "light-sampling",
         value_name: "LIGHT_SAMPLING",
-        doc: "What decides how often a point of an area light is chosen",
+        doc: "In proportion to what places on an area light are chosen",
         kind: Kind::Choice(|| words(&LIGHT_SAMPLINGS)),
         field: choice!(LIGHT_SAMPLINGS, light.density),
         json: "light_sampling",

@@ -68,7 +68,7 @@ pub const ROWS: &[Knob] = &[
     Knob {
         flag: "without",
         value_name: "EFFECT",
-        doc: "Effects to leave out although the scene needs them",
+        doc: "Effects to leave out, though the scene calls for them",
         kind: Kind::Choices(|| words(&Effect::ALL.map(|e| (e, e.name(), e.without())))),
         field: Field {
             get: |s| {
