@@ -28,7 +28,7 @@ macro_rules! tell {
 }
 pub(crate) use tell;
 
-pub use term::{Factor, ProjectedShare, Term, TermKind};
+pub use term::{Factor, ProjectedShare, Term, TermKind, highlight};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -312,9 +312,9 @@ pub enum Verdict {
     strum(serialize_all = "kebab-case")
 )]
 pub enum Absence {
-    /// Snell's law has no answer: k = 1 - (n1/n2)^2 (1 - cos^2) is negative.
+    /// Snell's law has no answer that leaves the surface: k = 1 - (n1/n2)^2 (1 - cos^2) is not positive.
     TotalInternalReflection {
-        /// The negative number under the root.
+        /// The number under the root.
         k: f64,
     },
     /// The material reflects nothing.

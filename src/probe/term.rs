@@ -114,6 +114,16 @@ impl ProjectedShare {
     }
 }
 
+/// (R.V)^n, and 0 where the mirrored light goes away from the viewer, whatever n is: by pow alone 0^0 would be 1.
+#[inline]
+pub fn highlight(r_dot_v: f64, shininess: f64) -> f64 {
+    if r_dot_v > 0.0 {
+        libm::pow(r_dot_v, shininess)
+    } else {
+        0.0
+    }
+}
+
 impl Term {
     /// Product of the factors.
     #[inline]
@@ -132,7 +142,7 @@ impl Term {
                 intensity,
                 r_dot_v,
                 shininess,
-            } => ks * intensity * libm::pow(r_dot_v.max(0.0), shininess),
+            } => ks * intensity * highlight(r_dot_v, shininess),
         }
     }
 

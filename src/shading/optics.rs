@@ -24,17 +24,18 @@ pub fn reflect(incident: DVec3, normal: DVec3) -> DVec3 {
     incident - 2.0 * normal.dot(incident) * normal
 }
 
-/// The refracted direction by Snell's law, n1 sin I = n2 sin T, or under total internal reflection the negative k.
+/// The refracted direction by Snell's law, n1 sin I = n2 sin T, or under total internal reflection k, which is not positive.
 ///
 /// With eta = n1 / n2 and c = -N.I: T = eta I + (eta c - sqrt(k)) N, k = 1 - eta^2 (1 - c^2). `normal` is unit and
-/// faces the incident ray. The branch comes before the root: no NaN is ever made.
+/// faces the incident ray. The branch comes before the root: no NaN is ever made. At the critical angle itself, k = 0, T would
+/// run along the surface and never leave it: all light is reflected, as Fresnel's equations have it there.
 pub fn refract(incident: DVec3, normal: DVec3, n1: f64, n2: f64) -> Result<DVec3, f64> {
     let eta = n1 / n2;
     let c = -normal.dot(incident);
     // 1 - c^2 = sin^2, by the tangential part: it does not cancel near straight incidence.
     let tangential = incident + c * normal;
     let k = 1.0 - eta * eta * tangential.length_squared();
-    if k < 0.0 {
+    if k <= 0.0 {
         return Err(k);
     }
     Ok((eta * tangential - k.sqrt() * normal).normalize())
@@ -114,6 +115,10 @@ mod tests {
         // asin(1 / 1.5) = 41.8103 degrees.
         assert!(refract(toward(41.82), DVec3::Y, 1.5, 1.0).is_err_and(|k| k < 0.0));
         assert!(refract(toward(89.999_999), DVec3::Y, 1.0, 1.5).is_ok());
+        // The sine is 2/3 to the last bit, so that k is 0.
+        let (sine, cosine) = (1.0 / 1.5, (5.0f64 / 9.0).sqrt());
+        let critical = DVec3::new(sine, -cosine, 0.0);
+        assert_eq!(refract(critical, DVec3::Y, 1.5, 1.0), Err(0.0));
     }
 
     #[test]

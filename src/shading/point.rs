@@ -30,7 +30,7 @@ pub struct FresnelSplit {
     pub n2: f64,
     /// F: reflected share; 1 under total internal reflection, in every model.
     pub reflectance: f64,
-    /// Refracted direction (unit), or the negative k under total internal reflection.
+    /// Refracted direction (unit), or under total internal reflection k, which is not positive.
     pub refracted: Result<DVec3, f64>,
 }
 
@@ -145,9 +145,9 @@ impl<'a> ShadingPoint<'a> {
     pub fn transmitted(&self, split: &FresnelSplit) -> Result<Secondary, Absence> {
         let [_, weight] = self.material.fresnel_weights(split.reflectance);
         let direction = match split.refracted {
-            Err(k) if k < 0.0 => return Err(Absence::TotalInternalReflection { k }),
-            Ok(direction) if !weight.is_black() => direction,
-            _ => return Err(Absence::NoTransmission),
+            Err(k) => return Err(Absence::TotalInternalReflection { k }),
+            Ok(_) if weight.is_black() => return Err(Absence::NoTransmission),
+            Ok(direction) => direction,
         };
         if !self.effects.has(Effect::Refraction) {
             return Err(Absence::EffectOff);

@@ -174,7 +174,7 @@ pub struct AbsentRay {
     /// Of L rays.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub light: Option<String>,
-    /// Of total-internal-reflection: the negative number under the root of the refracted direction.
+    /// Of total-internal-reflection: the number under the root of the refracted direction, not positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub k: Option<f64>,
     /// Of facing-away.

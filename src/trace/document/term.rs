@@ -36,7 +36,7 @@ pub struct TermFactors {
     /// Diffuse: value = kd x intensity x n_dot_l.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kd: Option<Rgb>,
-    /// Specular: value = ks x intensity x r_dot_v ^ shininess.
+    /// Specular: value = ks x intensity x r_dot_v ^ shininess; black where r_dot_v is 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ks: Option<Rgb>,
     /// What arrives from the light, attenuated.

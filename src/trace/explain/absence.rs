@@ -18,7 +18,7 @@ pub fn absent(view: View, node: u32, kind: RayKind, light: u32, reason: Absence)
 fn sentence(reason: Absence) -> &'static str {
     match reason {
         Absence::TotalInternalReflection { .. } => {
-            "The ray meets the boundary too flat: Snell's law has no answer, and all light is reflected."
+            "The ray meets the boundary too flat: Snell's law has no direction beyond it, and all light is reflected."
         }
         Absence::NoReflection => "The material reflects nothing.",
         Absence::NoTransmission => "Nothing passes through the material.",
@@ -49,7 +49,8 @@ fn number(view: View, node: u32, reason: Absence) -> (&'static str, String) {
     let black = || "(0, 0, 0)".to_owned();
     match reason {
         Absence::TotalInternalReflection { k } => {
-            ("k", format!("1 - (n1/n2)^2 sin^2 = {} < 0", num(k)))
+            let sign = if k < 0.0 { " < 0" } else { "" };
+            ("k", format!("1 - (n1/n2)^2 sin^2 = {}{sign}", num(k)))
         }
         Absence::NoReflection => ("Wr", black()),
         Absence::NoTransmission => ("Wt", black()),

@@ -1,7 +1,7 @@
 //! Terms of the shading equation.
 
 use super::Explanation;
-use crate::probe::Term;
+use crate::probe::{Term, highlight};
 use crate::trace::View;
 use crate::trace::format::{degrees, num, rgb, vec3};
 
@@ -62,7 +62,7 @@ fn base_term(view: View, node: u32, term: &Term, light: (u32, u32)) -> Explanati
         .color("I", intensity)
         .row("R.V", format!("{} ({})", num(r_dot_v), degrees(r_dot_v)))
         .row("n", num(shininess))
-        .row("(R.V)^n", num(libm::pow(r_dot_v.max(0.0), shininess)))
+        .row("(R.V)^n", num(highlight(r_dot_v, shininess)))
         .row("", "Ks I (R.V)^n"),
         Term::Emission(_) => Explanation::new("emission", "The surface shines by itself."),
         Term::Background(_) => Explanation::new("background", "Behind everything stands this colour."),

@@ -19,8 +19,11 @@ pub fn check_term(node: &Value, term: &Value) {
         Some("ambient") => product(["ka", "ambient_light"], 1.0),
         Some("diffuse") => product(["kd", "intensity"], number(&term["n_dot_l"])),
         Some("specular") => {
-            let power = number(&term["r_dot_v"]).powf(number(&term["shininess"]));
-            product(["ks", "intensity"], power)
+            let (r_dot_v, n) = (number(&term["r_dot_v"]), number(&term["shininess"]));
+            product(
+                ["ks", "intensity"],
+                if r_dot_v > 0.0 { r_dot_v.powf(n) } else { 0.0 },
+            )
         }
         _ => return,
     };

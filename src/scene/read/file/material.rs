@@ -19,7 +19,8 @@ pub struct MaterialFile {
     /// The strength of highlights.
     #[serde(default)]
     pub specular: Rgb,
-    /// The exponent of highlights: the larger, the smaller and sharper they are.
+    /// The exponent of highlights: the larger, the smaller and sharper they are; with 0 they have no edge but that between the
+    /// side that the mirrored light reaches and the other.
     #[serde(default = "MaterialFile::shininess")]
     pub shininess: f64,
     /// The factor of the reflected ray, at most 1.
