@@ -5,6 +5,8 @@ mod color;
 mod command_line;
 mod cost;
 mod effects;
+mod end_signals;
+mod new_file;
 mod notices;
 mod output;
 mod render;
@@ -15,11 +17,12 @@ mod stability;
 mod trace;
 mod view;
 
-use std::io;
+use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
+use crate::scene::printable::printable_lines;
 use color::ColorArg;
 pub use output::Failure;
 
@@ -35,7 +38,7 @@ pub enum Completion {
 /// A ray tracer that keeps the answer to "why does this pixel have this colour?"
 ///
 /// Without a command it opens the debugger on a built-in scene. SCENE is the name of a built-in scene (see `raytree
-/// scenes`), a .json scene file, or an .obj file.
+/// scenes`), a .json scene file, an .obj file, or - for a scene file on standard input.
 #[derive(Parser)]
 #[command(version, max_term_width = 100, arg_required_else_help = false)]
 #[command(
@@ -74,18 +77,37 @@ enum Command {
 
 /// Runs the command line of this process; prints what went wrong.
 pub fn main() -> ExitCode {
-    match run(Cli::parse()) {
+    match Cli::try_parse().map_or_else(|error| tell(&error), run) {
         Ok(Completion::Whole) => ExitCode::SUCCESS,
         Ok(Completion::Cut) => ExitCode::from(3),
         // A reader that has seen enough is no error.
+        Err(failure @ Failure::CommandLine) => failure.exit_code(),
         Err(Failure::Output { source, .. }) if source.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
         Err(failure) => {
-            eprintln!("error: {failure}");
+            eprintln!("error: {}", printable_lines(&failure.to_string()));
             failure.exit_code()
         }
     }
+}
+
+/// Tells what is wrong with the command line, or the help or version that it asks for: that is a result, which may fail to
+/// be written.
+fn tell(error: &clap::Error) -> Result<Completion, Failure> {
+    let text = error.render().to_string();
+    let shown = printable_lines(&text);
+    if shown != text {
+        // What was typed would steer the terminal.
+        eprint!("{shown}");
+        return Err(Failure::CommandLine);
+    }
+    let written = error.print().and_then(|()| io::stdout().flush());
+    if error.use_stderr() {
+        return Err(Failure::CommandLine);
+    }
+    written.map_err(|source| Failure::Output { path: None, source })?;
+    Ok(Completion::Whole)
 }
 
 fn run(cli: Cli) -> Result<Completion, Failure> {

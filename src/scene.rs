@@ -1,24 +1,27 @@
 //! Scene: camera, lights, materials, objects and shapes, checked and in world space.
 //!
-//! [`load()`] reads it from a built-in scene, a computed one, a JSON file or an OBJ file; what passed there cannot make
-//! the tracer panic. [`read`] is the reader, [`gallery`] the built-in scenes.
+//! [`load()`] reads it from a built-in scene, a computed one, a JSON file or an OBJ file, [`from_json`] from text; what passed
+//! there cannot make the tracer panic. [`read`] is the reader, [`gallery`] the built-in scenes.
 
 pub mod camera;
 pub mod check;
 pub mod effects;
+mod file_id;
 pub mod gallery;
 pub mod limits;
 mod load;
 mod object;
+pub mod printable;
 pub mod read;
 pub mod settings;
 pub mod warning;
 
 pub use crate::shading::{Effect, Effects};
 pub use camera::Camera;
+pub use file_id::FileId;
 pub use gallery::builtin;
 pub use gallery::procedural::list as generated;
-pub use load::{list, load, load_from_memory};
+pub use load::{STANDARD_INPUT, from_json, from_stdin, list, load, load_from_memory};
 pub use object::{Object, VertexData};
 pub use read::error::SceneError;
 pub use read::{error, file};
@@ -32,6 +35,7 @@ use crate::geometry::{Arithmetic, Hit, Shape};
 use crate::math::{Ray, Rgb};
 use crate::probe::NONE;
 use crate::shading::{Interaction, Light, Material};
+use printable::printable;
 
 /// The index of refraction of the medium around everything.
 pub const AIR_IOR: f64 = 1.0;
@@ -63,6 +67,8 @@ pub struct Scene {
     pub settings: Settings,
     /// Warnings about it and the files that it was read from.
     pub warnings: Vec<Warning>,
+    /// The files on disk that it was read from.
+    pub files: Vec<FileId>,
 }
 
 impl Scene {
@@ -108,6 +114,17 @@ impl Scene {
 
     fn medium_object(&self, object: u32) -> Option<&Object> {
         (object != NONE).then(|| &self.objects[object as usize])
+    }
+
+    /// The scene with names as they are shown to people.
+    #[must_use]
+    pub fn with_printable_names(mut self) -> Self {
+        let shown = |name: &mut String| *name = printable(name).into_owned();
+        shown(&mut self.name);
+        self.materials.iter_mut().for_each(|m| shown(&mut m.name));
+        self.lights.iter_mut().for_each(|l| shown(&mut l.name));
+        self.objects.iter_mut().for_each(|o| shown(&mut o.name));
+        self
     }
 
     /// The scene with shapes that are tested with this arithmetic.

@@ -12,9 +12,10 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::command_line::quoted;
+use super::output::{self, Destination, Target};
 use super::settings::SceneArgs;
-use super::{Completion, Failure, output};
+use super::settings::check::{self, parse_count};
+use super::{Completion, Failure};
 use crate::accel::fastest;
 use crate::lab::{
     CostModel, Effort, EqualTime, Lab, Parameter, Reference, Sweep, affordable, equal_time,
@@ -22,9 +23,11 @@ use crate::lab::{
 };
 use crate::sampling::Sampler;
 use crate::scene::limits::MAX_SECONDS;
+use crate::scene::printable::{printable, shell_word};
 use crate::scene::settings::Image;
 use crate::scene::{Sampling, Scene, Settings, flags};
 use crate::world::World;
+use reference::GivenPicture;
 
 /// The size of the pictures if none is asked for: small, since many are rendered.
 const SIZE: (u32, u32) = (120, 90);
@@ -44,17 +47,17 @@ pub struct Cost {
     #[arg(long, value_name = "SECONDS", default_value_t = 20.0, value_parser = parse_budget)]
     budget: f64,
     /// Timed renders of each setting, after one that counts
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=99))]
-    runs: u16,
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = parse_count(99))]
+    runs: u32,
     /// Measure these only, such as light-samples, pixel-samples-jittered, depth, min-weight, accelerator,
     /// triangle, offset, quadratic, precision
     #[arg(long = "knob", value_name = "NAME", value_delimiter = ',')]
     only: Vec<String>,
     /// The most samples that are tried, and 16 times as many in references [default: as the budget allows]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    #[arg(long, value_name = "N", value_parser = parse_count(4096))]
     most: Option<u32>,
     /// Samples of references [default: 16 times --most]
-    #[arg(long, value_name = "N", requires = "most", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    #[arg(long, value_name = "N", requires = "most", value_parser = parse_count(65536))]
     reference_samples: Option<u32>,
     /// As JSON
     #[arg(long, conflicts_with = "csv")]
@@ -84,24 +87,27 @@ struct Found {
 impl Cost {
     pub fn run(&self) -> Result<Completion, Failure> {
         let start = Instant::now();
-        let (world, asked) = self.scene.load(fastest)?;
-        let given = match &self.reference {
-            Some(path) => {
-                let film = reference::read(path, asked.image.exposure)?;
-                reference::check_size(path, &film, self.scene.settings.size())?;
-                Some(film)
-            }
-            None => None,
-        };
-        let size = given.as_ref().map(|film| (film.width, film.height));
-        let base = self.base(asked, size.unwrap_or(SIZE));
+        let mut scene = self.scene.read()?;
+        let given = self.reference.as_deref();
+        let given = given.map(GivenPicture::read).transpose()?;
+        scene
+            .files
+            .extend(given.iter().filter_map(GivenPicture::id));
+        let files = output::open(&scene.files, self.targets())?;
+        let size = given.as_ref().map(|p| p.size(self.scene.settings.size()));
+        let size = size.transpose()?.unwrap_or(SIZE);
+        let (world, asked) = self.scene.build(scene, fastest)?;
+        let base = self.base(asked, size);
+        check::rays(&base)?;
         let threads = self.scene.settings.threads;
         let is_asked = |parameter: &Parameter| {
             self.only.is_empty() || self.only.iter().any(|name| parameter.is_called(name))
         };
         self.check_names(&world, &base)?;
         let model = CostModel::of(&world, &base, threads);
-        let runs = usize::from(self.runs);
+        self.check_budget(model.picture(&base), base.size())?;
+        let given = given.map(|p| p.film(asked.image.exposure)).transpose()?;
+        let runs = self.runs as usize;
         let effort = if let Some(most) = self.most {
             Effort {
                 most,
@@ -137,7 +143,7 @@ impl Cost {
         let found = self.measure_all(&mut lab, &parameters, model, ends, &bar);
         bar.finish_and_clear();
         let again = self.again(&base, &lab.world, effort);
-        self.write(&found, &lab.world.scene, &base.image, &again)?;
+        self.write(&found, files, (&lab.world.scene, &base.image), &again)?;
         let done: usize = found.sweeps.iter().map(|s| s.steps.len()).sum();
         if done < wanted {
             self.scene.notices.warn(format!(
@@ -150,30 +156,61 @@ impl Cost {
         Ok(Completion::Whole)
     }
 
+    /// The files that it writes.
+    fn targets(&self) -> [Target<'_>; 2] {
+        let target = |flag, path, endings| Target {
+            flag,
+            path,
+            endings,
+        };
+        [
+            target("--plot", self.plot.as_deref(), &["svg"]),
+            target("--strip", self.strip.as_deref(), &["png"]),
+        ]
+    }
+
+    /// An error if there is no time for even one picture.
+    fn check_budget(&self, seconds: f64, (width, height): (u32, u32)) -> Result<(), Failure> {
+        if seconds <= self.budget {
+            return Ok(());
+        }
+        let cure = match self.reference {
+            Some(_) => "a smaller --reference",
+            None => "a smaller --size",
+        };
+        Err(Failure::Usage(format!(
+            "--budget {}: one picture of {width}x{height} takes about {seconds:.1} s; allow more, or take {cure}",
+            self.budget
+        )))
+    }
+
     /// Writes what was found, in the form that was asked for.
     fn write(
         &self,
         found: &Found,
-        scene: &Scene,
-        image: &Image,
+        [svg, strip]: [Option<Destination>; 2],
+        (scene, image): (&Scene, &Image),
         again: &str,
     ) -> Result<(), Failure> {
         let Found {
             sweeps,
             comparisons,
         } = found;
-        let title = format!("{}, {}x{}", scene.name, image.width, image.height);
-        if let Some(path) = &self.plot {
+        let name = printable(&scene.name);
+        let title = format!("{name}, {}x{}", image.width, image.height);
+        if let Some(file) = svg {
             let svg = plot::svg(&title, sweeps);
-            output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
+            file.write(|out| out.write_all(svg.as_bytes()))?;
         }
         let mut crops = String::new();
-        if comparisons.is_empty() && self.strip.is_some() {
-            let notices = self.scene.notices;
-            notices.warn("no strip: nothing that it could show was measured");
-        } else if let Some(path) = &self.strip {
-            output::write_png(path, &equal_time::picture(comparisons), image.exposure)?;
-            crops = table::comparisons(comparisons, path);
+        if let Some(file) = strip {
+            if comparisons.is_empty() {
+                let notices = self.scene.notices;
+                notices.warn("no strip: nothing that it could show was measured");
+            } else {
+                crops = table::comparisons(comparisons, file.path());
+                output::write_png(file, &equal_time::picture(comparisons), image.exposure)?;
+            }
         }
         let text = if self.json {
             format!("{:#}\n", record::json(sweeps, again, &scene.warnings))
@@ -278,7 +315,7 @@ impl Cost {
         let (width, height) = base.size();
         let mut line = format!(
             "raytree cost {} --size {width}x{height} --most {} --reference-samples {}",
-            quoted(&self.scene.scene),
+            shell_word(&self.scene.scene),
             effort.most,
             effort.reference
         );
@@ -302,15 +339,15 @@ impl Cost {
         for name in &self.only {
             line.extend([
                 " --knob ",
-                &quoted(&name.replace(", ", "-").replace(' ', "-")),
+                &shell_word(&name.replace(", ", "-").replace(' ', "-")),
             ]);
         }
         if let Some(path) = &self.reference {
-            line.extend([" --reference ", &quoted(&path.display().to_string())]);
+            line.extend([" --reference ", &shell_word(&path.display().to_string())]);
         }
         if let Some(path) = &self.strip {
             // It takes its share of the budget.
-            line.extend([" --strip ", &quoted(&path.display().to_string())]);
+            line.extend([" --strip ", &shell_word(&path.display().to_string())]);
         }
         let threads = self.scene.settings.threads;
         if threads != 0 {

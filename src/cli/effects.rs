@@ -8,11 +8,13 @@ use super::settings::{SceneArgs, SettingsArgs};
 use super::{Completion, Failure, output};
 use crate::accel::fastest;
 use crate::scene::effects::findings;
+use crate::scene::printable::printable;
 use crate::trace::document;
+use crate::trace::export::json;
 
 #[derive(Args)]
 pub struct Effects {
-    /// A built-in scene, a .json scene file or an .obj file
+    /// A built-in scene, a .json scene file, an .obj file, or - for a scene file on standard input
     scene: String,
     /// As JSON
     #[arg(long)]
@@ -29,7 +31,7 @@ impl Effects {
             settings: SettingsArgs::default(),
         };
         // With its surfaces in space, where warnings may be.
-        let scene = scene.load(fastest)?.0.scene;
+        let scene = scene.build(scene.read()?, fastest)?.0.scene;
         let findings = findings(&scene);
         if self.json {
             let list: Vec<_> = findings
@@ -37,7 +39,8 @@ impl Effects {
                 .map(|f| json!({ "effect": f.effect.name(), "on": f.on, "reason": f.reason }))
                 .collect();
             let all = json!({ "effects": list, "warnings": document::list(&scene.warnings) });
-            return output::to_stdout(format!("{all:#}\n").as_bytes());
+            output::to_stdout_by(|out| json::write(out, &all))?;
+            return Ok(Completion::Whole);
         }
         let mut text = String::new();
         for finding in &findings {
@@ -45,7 +48,7 @@ impl Effects {
             let line = format!(
                 "{:13} {state:4} {}\n",
                 finding.effect.name(),
-                finding.reason
+                printable(&finding.reason)
             );
             text.push_str(&line);
         }

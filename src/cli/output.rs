@@ -1,13 +1,20 @@
 //! Where results go, and what can go wrong on the way.
 
+mod destination;
+mod place;
+
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::Completion;
-use crate::scene::SceneError;
+use super::{Completion, end_signals};
+use crate::scene::printable::printable;
+use crate::scene::{FileId, SceneError};
 use crate::tracer::Film;
 use crate::tracer::image::png;
+pub use destination::Destination;
+pub use place::Target;
+use place::TargetPlace;
 
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
@@ -15,11 +22,14 @@ pub enum Failure {
     /// The scene is wrong.
     #[error("{0}")]
     Scene(#[from] SceneError),
+    /// The command line cannot be read, which is told already.
+    #[error("the command line cannot be read")]
+    CommandLine,
     /// The command line is wrong in a way that only shows with the scene.
     #[error("{0}")]
     Usage(String),
     /// A result could not be written.
-    #[error("{}: cannot be written: {source}", place(.path.as_deref()))]
+    #[error("{}: cannot be written: {source}", shown(.path.as_deref()))]
     Output {
         /// The file; `None` for standard output.
         path: Option<PathBuf>,
@@ -31,15 +41,25 @@ pub enum Failure {
     Terminal(io::Error),
 }
 
-fn place(path: Option<&Path>) -> String {
-    path.map_or("standard output".to_owned(), |p| p.display().to_string())
+fn shown(path: Option<&Path>) -> String {
+    path.map_or("standard output".into(), |p| {
+        printable(&p.to_string_lossy()).into_owned()
+    })
 }
 
 impl Failure {
+    /// A result could not be written to this file.
+    fn output(path: &Path, source: io::Error) -> Self {
+        Self::Output {
+            path: Some(path.to_owned()),
+            source,
+        }
+    }
+
     /// 1 if the input is wrong, 2 if the command line is.
     pub fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Usage(_) => ExitCode::from(2),
+            Self::CommandLine | Self::Usage(_) => ExitCode::from(2),
             Self::Scene(_) | Self::Output { .. } | Self::Terminal(_) => ExitCode::from(1),
         }
     }
@@ -47,58 +67,64 @@ impl Failure {
 
 /// Writes a result to standard output.
 pub fn to_stdout(bytes: &[u8]) -> Result<Completion, Failure> {
-    let mut out = io::stdout().lock();
-    out.write_all(bytes)
-        .and_then(|()| out.flush())
-        .map_err(|source| Failure::Output { path: None, source })?;
+    to_stdout_by(|out| out.write_all(bytes))?;
     Ok(Completion::Whole)
 }
 
-/// Writes a result to standard output or, if there is a path, to a file: first beside it, then renamed, so that a file
-/// is either whole or untouched.
-pub fn write(
-    path: Option<&Path>,
-    produce: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> Result<Completion, Failure> {
-    let result = match path {
-        None => {
-            let mut out = io::BufWriter::new(io::stdout().lock());
-            produce(&mut out).and_then(|()| out.flush())
+/// Writes a result to standard output piece by piece.
+pub fn to_stdout_by(produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    produce(&mut out)
+        .and_then(|()| out.flush())
+        .map_err(|source| Failure::Output { path: None, source })
+}
+
+/// Opens the files that flags ask for, before any work is done for them. None of them may be one that was `read`, nor two of
+/// them the same.
+pub fn open<const N: usize>(
+    read: &[FileId],
+    targets: [Target; N],
+) -> Result<[Option<Destination>; N], Failure> {
+    let mut places: Vec<Option<TargetPlace>> = Vec::with_capacity(N);
+    for target in &targets {
+        let place = TargetPlace::of(target)?;
+        let clash = |what: String| {
+            let path = shown(target.path);
+            Err(Failure::Usage(format!(
+                "{} {path}: {what}; give another name",
+                target.flag
+            )))
+        };
+        if let Some(place) = &place {
+            if place.is_among(read) {
+                return clash("this file is read, and would be replaced".to_owned());
+            }
+            let is_same =
+                |other: &Option<TargetPlace>| other.as_ref().is_some_and(|o| o.is_same(place));
+            if let Some(first) = places.iter().position(is_same) {
+                return clash(format!(
+                    "this is the file of {} already",
+                    targets[first].flag
+                ));
+            }
         }
-        Some(path) => replace(path, produce),
-    };
-    result.map_err(|source| Failure::Output {
-        path: path.map(Path::to_owned),
-        source,
-    })?;
-    Ok(Completion::Whole)
+        if let Some(place) = &place {
+            place.check_ending(target)?;
+        }
+        places.push(place);
+    }
+    if places.iter().any(Option::is_some) {
+        end_signals::watch();
+    }
+    let mut opened = [const { None }; N];
+    for (place, slot) in places.into_iter().zip(&mut opened) {
+        *slot = place.map(Destination::open).transpose()?;
+    }
+    Ok(opened)
 }
 
 /// Writes a film to a PNG file.
-pub fn write_png(path: &Path, film: &Film, exposure: f64) -> Result<Completion, Failure> {
+pub fn write_png(to: Destination, film: &Film, exposure: f64) -> Result<(), Failure> {
     let png = png::encode(film, exposure).map_err(io::Error::other);
-    write(Some(path), |out| out.write_all(&png?))
-}
-
-fn replace(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    // Something that is no regular file, such as /dev/null or a pipe, cannot be replaced: write into it.
-    if path.exists() && !path.is_file() {
-        let mut out = io::BufWriter::new(std::fs::File::create(path)?);
-        return produce(&mut out).and_then(|()| out.flush());
-    }
-    let folder = path
-        .parent()
-        .filter(|p| !p.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    // As any other new file: readable for all, if the user's mask allows it.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder)?;
-    let mut out = io::BufWriter::new(&mut file);
-    produce(&mut out)?;
-    out.flush()?;
-    drop(out);
-    file.persist(path).map_err(|e| e.error)?;
-    Ok(())
+    to.write(|out| out.write_all(&png?))
 }

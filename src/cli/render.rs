@@ -14,9 +14,10 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use super::output::{self, Target};
 use super::settings::SceneArgs;
-use super::settings::check::parse_positive;
-use super::{ColorArg, Completion, Failure, command_line, output};
+use super::settings::check::{self, parse_positive};
+use super::{ColorArg, Completion, Failure, command_line, end_signals};
 use crate::accel::fastest;
 use crate::lab::converge::{Convergence, StopReason, converge};
 use crate::probe::Silent;
@@ -72,27 +73,30 @@ struct Made {
 
 impl Render {
     pub fn run(&self) -> Result<Completion, Failure> {
-        let (world, settings) = self.scene.load(fastest)?;
+        let scene = self.scene.read()?;
+        let [picture, error_map, sample_map] = output::open(&scene.files, self.targets())?;
+        let (world, settings) = self.scene.build(scene, fastest)?;
         let settings = self.wanted(settings)?;
+        check::rays(&settings)?;
         let interrupted = Arc::new(AtomicBool::new(false));
-        on_interrupt(&interrupted);
+        end_signals::stop_gently(&interrupted);
         let start = Instant::now();
         let made = self.film(&world, &settings, &interrupted);
         let seconds = start.elapsed().as_secs_f64();
 
         let Made { film, settings, .. } = &made;
-        if let Some(path) = &self.output {
-            files::picture(path, film, settings.image.exposure)?;
+        if let Some(file) = picture {
+            files::picture(file, film, settings.image.exposure)?;
         } else {
             let level = self.color.level();
             let picture = terminal::lines(film, settings.image.exposure, level);
             output::to_stdout(picture.as_bytes())?;
         }
-        if let Some(path) = &self.error_map {
-            files::errors(path, film)?;
+        if let Some(file) = error_map {
+            files::errors(file, film)?;
         }
-        if let Some(path) = &self.sample_map {
-            files::samples(path, film)?;
+        if let Some(file) = sample_map {
+            files::samples(file, film)?;
         }
         if let Some(counts) = &made.counts {
             stats::tell(settings, counts, seconds, self.json.then_some(&world.scene))?;
@@ -124,6 +128,20 @@ of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
             Completion::Cut
         } else {
             Completion::Whole
+        })
+    }
+
+    /// The files that it writes.
+    fn targets(&self) -> [Target<'_>; 3] {
+        [
+            ("--output", &self.output, files::PICTURE),
+            ("--error-map", &self.error_map, files::PICTURE),
+            ("--sample-map", &self.sample_map, &["png"]),
+        ]
+        .map(|(flag, path, endings)| Target {
+            flag,
+            path: path.as_deref(),
+            endings,
         })
     }
 
@@ -210,15 +228,3 @@ fn progress_bar(settings: &Settings, quiet: bool) -> ProgressBar {
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
         .with_elapsed(Duration::ZERO)
 }
-
-/// Ctrl-C once: stop, and keep what was made. Twice: stop at once.
-#[cfg(unix)]
-fn on_interrupt(flag: &Arc<AtomicBool>) {
-    use signal_hook::consts::SIGINT;
-    // Without a handler Ctrl-C ends the program, as everywhere: nothing to tell.
-    let _ = signal_hook::flag::register_conditional_shutdown(SIGINT, 130, Arc::clone(flag));
-    let _ = signal_hook::flag::register(SIGINT, Arc::clone(flag));
-}
-
-#[cfg(not(unix))]
-fn on_interrupt(_: &Arc<AtomicBool>) {}

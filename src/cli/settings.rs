@@ -4,7 +4,7 @@ pub mod check;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _, ValueParser};
 use clap::error::Error;
-use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 
 use super::notices::Notices;
 use super::{Failure, build_progress};
@@ -12,9 +12,9 @@ use crate::accel::{AccelKind, fastest};
 use crate::geometry::Shape;
 use crate::scene::effects::effects;
 use crate::scene::limits::MAX_THREADS;
-use crate::scene::settings::knob::{Kind, Knob, Value, Word};
+use crate::scene::settings::knob::{Kind, Knob, Value, Word, parse_whole};
 use crate::scene::settings::knobs::knobs;
-use crate::scene::{Scene, Settings};
+use crate::scene::{STANDARD_INPUT, Scene, Settings, from_stdin, load};
 use crate::world::{World, checks};
 
 /// What decides on the accelerator if the user does not.
@@ -29,7 +29,7 @@ const AUTO: Word = Word {
 /// Which scene, and how it is traced. What is not given is what the scene asks for.
 #[derive(Args, Clone, Debug)]
 pub struct SceneArgs {
-    /// A built-in scene, a .json scene file or an .obj file
+    /// A built-in scene, a .json scene file, an .obj file, or - for a scene file on standard input
     pub scene: String,
     #[command(flatten)]
     pub notices: Notices,
@@ -145,14 +145,6 @@ fn arg(knob: &'static Knob) -> Arg {
 fn parser(knob: &Knob) -> ValueParser {
     let kind = knob.kind;
     match kind {
-        Kind::Count {
-            range: [least, most],
-            ..
-        } => value_parser!(u32)
-            .range(i64::from(least)..=i64::from(most))
-            .map(|n| Value::Whole(n.into()))
-            .into(),
-        Kind::Whole(least) => value_parser!(u64).range(least..).map(Value::Whole).into(),
         Kind::Choice(words) | Kind::Choices(words) => {
             let auto = (knob.flag == "accel").then_some(AUTO);
             let words = auto.into_iter().chain(words()).map(|word| {
@@ -169,12 +161,28 @@ fn parser(knob: &Knob) -> ValueParser {
 }
 
 impl SceneArgs {
-    /// Reads the scene and builds its accelerator: what `accel` says if the user does not. Tells all warnings, which the scene
-    /// then has, and fails if none is allowed.
-    pub fn load(&self, accel: Decide) -> Result<(World, Settings), Failure> {
-        let scene = crate::scene::load(&self.scene)?;
+    /// Reads the scene and tells its warnings.
+    pub fn read(&self) -> Result<Scene, Failure> {
+        let scene = match self.scene.as_str() {
+            "-" => from_stdin()?,
+            name => load(name)?,
+        };
+        self.notices.tell(&scene.warnings);
+        Ok(scene)
+    }
+
+    /// Name of the scene in messages.
+    fn label(&self) -> &str {
+        match self.scene.as_str() {
+            "-" => STANDARD_INPUT,
+            name => name,
+        }
+    }
+
+    /// Builds the scene's accelerator: what `accel` says if the user does not. Tells all other warnings, which the scene then has,
+    /// and fails if none is allowed.
+    pub fn build(&self, scene: Scene, accel: Decide) -> Result<(World, Settings), Failure> {
         let notices = self.notices;
-        notices.tell(&scene.warnings);
         let settings = self.settings.over(&scene, accel);
         check::pixel(&settings.pixel)?;
         for effect in settings.left_out(&scene) {
@@ -189,17 +197,14 @@ impl SceneArgs {
         }
         let scene = scene.computed_with(settings.arithmetic);
         let mut world = build_progress::world(scene, settings.accel, notices.quiet);
-        let found = checks::warnings(&world, &settings, &self.scene);
+        let found = checks::warnings(&world, &settings, self.label());
         notices.tell(&found);
         world.scene.warnings.extend(found);
-        notices.deny(&self.scene, world.scene.warnings.len())?;
+        notices.deny(self.label(), world.scene.warnings.len())?;
         Ok((world, settings))
     }
 }
 
 fn parse_threads(text: &str) -> Result<usize, String> {
-    match text.parse::<usize>() {
-        Ok(n) if n <= MAX_THREADS => Ok(n),
-        _ => Err(format!("must be a whole number from 0 to {MAX_THREADS}")),
-    }
+    parse_whole(text, 0..=MAX_THREADS as u64).map(|n| n as usize)
 }

@@ -9,7 +9,8 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::json;
 
-use super::{ColorArg, Completion, Failure, output};
+use super::output::{self, Destination, Target};
+use super::{ColorArg, Completion, Failure};
 use crate::lab::stability::{CASES, Case, Outcome};
 
 #[derive(Args)]
@@ -30,12 +31,18 @@ pub struct Stability {
 
 impl Stability {
     pub fn run(&self) -> Result<Completion, Failure> {
+        let target = Target {
+            flag: "--output",
+            path: self.output.as_deref(),
+            endings: &["png"],
+        };
+        let [file] = output::open(&[], [target])?;
         let asked = CASES
             .into_iter()
             .filter(|case| self.case.is_none_or(|only| only.name == case.name));
         let measured: Vec<(Case, Vec<Outcome>)> =
             asked.map(|case| (case, (case.measure)())).collect();
-        let seen = self.picture(&measured)?;
+        let seen = self.picture(&measured, file)?;
         if self.json {
             output::to_stdout(format!("{:#}\n", as_json(&measured)).as_bytes())?;
             // Where the picture is must not stand among the data.
@@ -47,12 +54,16 @@ impl Stability {
     }
 
     /// The picture of the one case that was asked for: what is to be said of it, after it was written where it should be.
-    fn picture(&self, measured: &[(Case, Vec<Outcome>)]) -> Result<String, Failure> {
+    fn picture(
+        &self,
+        measured: &[(Case, Vec<Outcome>)],
+        file: Option<Destination>,
+    ) -> Result<String, Failure> {
         let (Some(_), [(case, outcomes)]) = (self.case, measured) else {
             return Ok(String::new());
         };
-        match &self.output {
-            Some(path) => picture::to_file(&case.picture, path),
+        match file {
+            Some(file) => picture::to_file(&case.picture, file),
             None if self.json => Ok(String::new()),
             None => {
                 let level = self.color.level();

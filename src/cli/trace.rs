@@ -1,11 +1,13 @@
 //! `raytree trace`: the ray tree of one pixel.
 
+use std::io::Write;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::settings::SceneArgs;
-use super::{Completion, Failure, output};
+use super::output::{self, Target};
+use super::settings::{SceneArgs, check};
+use super::{Completion, Failure};
 use crate::accel::clearest;
 use crate::trace::export::{Dot, Svg, Text, json};
 use crate::trace::{View, document, trace_pixel};
@@ -40,9 +42,29 @@ enum Format {
     Svg,
 }
 
+impl Format {
+    /// Endings of the names of such files.
+    fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Json => &["json"],
+            Self::Text => &["txt"],
+            Self::Dot => &["dot", "gv"],
+            Self::Svg => &["svg"],
+        }
+    }
+}
+
 impl Trace {
     pub fn run(&self) -> Result<Completion, Failure> {
-        let (world, settings) = self.scene.load(clearest)?;
+        let scene = self.scene.read()?;
+        let target = Target {
+            flag: "--output",
+            path: self.output.as_deref(),
+            endings: self.format.endings(),
+        };
+        let [file] = output::open(&scene.files, [target])?;
+        let (world, settings) = self.scene.build(scene, clearest)?;
+        check::rays(&settings)?;
         let (x, y) = self.pixel;
         let (width, height) = settings.size();
         if x >= width || y >= height {
@@ -58,12 +80,16 @@ impl Trace {
             settings: &settings,
             trace: &trace,
         });
-        output::write(self.output.as_deref(), |out| match self.format {
+        let produce = |out: &mut dyn Write| match self.format {
             Format::Json => json::write(out, &document),
             Format::Text => write!(out, "{}", Text(&document)),
             Format::Dot => write!(out, "{}", Dot(&document)),
             Format::Svg => write!(out, "{}", Svg(&document)),
-        })?;
+        };
+        match file {
+            Some(file) => file.write(produce)?,
+            None => output::to_stdout_by(produce)?,
+        }
         if trace.tree.dropped > 0 {
             let dropped = trace.tree.dropped;
             self.scene.notices.warn(format!(

@@ -25,7 +25,7 @@ pub struct View {
 
 impl View {
     pub fn run(&self) -> Result<Completion, Failure> {
-        let (world, settings) = self.scene.load(clearest)?;
+        let (world, settings) = self.scene.build(self.scene.read()?, clearest)?;
         let options = Options {
             scene: self.scene.scene.clone(),
             color: self.color.level(),

@@ -23,6 +23,8 @@ pub const MAX_WARNINGS: usize = 20;
 pub const MAX_EDGE: u32 = 16_384;
 /// Pixels of the picture.
 pub const MAX_PIXELS: u64 = 64 << 20;
+/// Pixels of a picture that others are measured against, each of which is of its size.
+pub const MAX_REFERENCE_PIXELS: u64 = 4 << 20;
 /// Samples a pixel.
 pub const MAX_SAMPLES: u32 = 4096;
 /// How far from its pixel's middle a sample may lie, in pixels.
@@ -60,7 +62,7 @@ pub fn table() -> Vec<[String; 3]> {
     const REFUSED: &str = "refused";
     let mebibytes = |bytes: u64| format!("{} MiB", bytes >> 20);
     let up_to = |x: f64, unit: &str| format!("{x:e}{unit}");
-    let rows: [(&str, String, &str); 24] = [
+    let rows: [(&str, String, &str); 25] = [
         ("one file", mebibytes(MAX_FILE_BYTES), REFUSED),
         (
             "all files of a scene, each as often as it is named",
@@ -107,6 +109,11 @@ pub fn table() -> Vec<[String; 3]> {
         ),
         ("pixels along an edge", MAX_EDGE.to_string(), REFUSED),
         ("pixels of a picture", MAX_PIXELS.to_string(), REFUSED),
+        (
+            "pixels of a `--reference`",
+            MAX_REFERENCE_PIXELS.to_string(),
+            REFUSED,
+        ),
         ("samples a pixel", MAX_SAMPLES.to_string(), REFUSED),
         (
             "shadow rays to an area light, a hit",

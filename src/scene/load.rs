@@ -1,6 +1,7 @@
 //! Loading of a scene: by the name of a built-in or computed one, from a scene file, from an OBJ file.
 
 use std::collections::BTreeMap;
+use std::io::IsTerminal as _;
 use std::path::Path;
 
 use super::Scene;
@@ -11,6 +12,9 @@ use super::read::error::{Problem, SceneError};
 use super::read::file::parse;
 use super::read::files::{Files, regular};
 use super::read::resolve::resolve;
+
+/// Name of standard input in messages.
+pub const STANDARD_INPUT: &str = "standard input";
 
 /// Scene by `spec`: the name of a built-in or computed scene, or the path of a `.json` or `.obj` file.
 pub fn load(spec: &str) -> Result<Scene, SceneError> {
@@ -36,6 +40,32 @@ pub fn load_from_memory(name: &str, files: BTreeMap<String, Vec<u8>>) -> Result<
     read(name, Files::in_memory(files))
 }
 
+/// Scene from the text of a scene file. It cannot name other files: see [`load_from_memory`] for those that do. Limits are those
+/// of files, such as 256 MiB of text and 2 million shapes: see [`super::limits`].
+pub fn from_json(text: &str) -> Result<Scene, SceneError> {
+    const NAME: &str = "scene";
+    let mut files = Files::in_memory(BTreeMap::new());
+    files.check_text(text).map_err(|p| p.in_file(NAME))?;
+    scene_of(text, NAME, NAME, files)
+}
+
+/// Scene from a scene file on standard input, which may name OBJ files in the current folder. An error if it is a terminal, where
+/// nobody would know what is waited for.
+pub fn from_stdin() -> Result<Scene, SceneError> {
+    let stdin = std::io::stdin();
+    if stdin.is_terminal() {
+        let cure = "give it a scene file, as in `raytree render - < scene.json`";
+        return Err(
+            Problem::new("this is a terminal, and a scene is wanted", cure).in_file(STANDARD_INPUT),
+        );
+    }
+    let mut files = Files::beside(Path::new(STANDARD_INPUT));
+    let text = files
+        .read_stdin(stdin.lock())
+        .map_err(|p| p.in_file(STANDARD_INPUT))?;
+    scene_of(&text, STANDARD_INPUT, STANDARD_INPUT, files)
+}
+
 /// Names of the built-in scenes, and what each shows.
 pub fn list() -> Vec<(&'static str, String)> {
     let note = |name: &str| {
@@ -51,14 +81,19 @@ fn read(spec: &str, mut files: Files) -> Result<Scene, SceneError> {
     let stem = path.file_stem().and_then(|s| s.to_str()).unwrap_or(spec);
     if ends_in(path, "json") {
         let text = files.open(path).map_err(|p| p.in_file(spec))?;
-        let mut file = parse(&text, spec)?;
-        file.name.get_or_insert_with(|| stem.to_string());
-        return resolve(file, spec, files);
+        return scene_of(&text, spec, stem, files);
     }
     if ends_in(path, "obj") {
         return model_scene(spec, stem, files);
     }
     Err(unknown(spec).in_file(spec))
+}
+
+/// The scene in the text of a scene file, which is called `label` in messages, and `name` if it names itself not.
+fn scene_of(text: &str, label: &str, name: &str, files: Files) -> Result<Scene, SceneError> {
+    let mut file = parse(text, label)?;
+    file.name.get_or_insert_with(|| name.to_string());
+    resolve(file, label, files)
 }
 
 fn ends_in(path: &Path, ending: &str) -> bool {

@@ -67,7 +67,7 @@ pub struct Recursion {
     pub depth: u32,
     /// Rays that could add less than this to the pixel (largest channel of their throughput) are not sent.
     pub min_weight: f64,
-    /// Rays that a picture may cost; each pixel gets its even share.
+    /// Rays that a picture may cost; each pixel gets its even share, and its first eye ray in any case.
     pub max_rays: u64,
 }
 

@@ -7,7 +7,7 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::error::{SceneError, first_line, printable};
+use super::error::{SceneError, first_line, shown};
 use super::limits::MAX_WARNINGS;
 
 /// A warning about a scene. Its text has two lines: where and what, then what to do.
@@ -95,10 +95,7 @@ impl fmt::Display for Warning {
             1 => String::new(),
             n => format!(" ({n} times, this is the first)"),
         };
-        let (what, cure) = (
-            first_line(&self.problem),
-            printable(&self.problem.problem.cure),
-        );
+        let (what, cure) = (first_line(&self.problem), shown(&self.problem.problem.cure));
         write!(f, "{what}{count} [{}]\n  {cure}", self.code.name())
     }
 }
@@ -179,7 +176,7 @@ mod tests {
     #[test]
     fn a_warning_says_where_what_how_often_and_the_cure() {
         let text = warnings(2)[1].to_string();
-        assert_eq!(text, "a.obj:2: 1\u{fffd} [no-area]\n  mend it");
+        assert_eq!(text, "a.obj:2: 1\\n [no-area]\n  mend it");
         let mut twice = Warnings::default();
         for line in [3, 9] {
             twice.add(

@@ -124,10 +124,7 @@ mod tests {
             "objects": [{}]}}"#,
             objects.join(", ")
         );
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("scene.json");
-        std::fs::write(&path, text).expect("it can be written");
-        contacts(&crate::scene::load(path.to_str().expect("a plain path")).expect("a scene"))
+        contacts(&crate::scene::from_json(&text).expect("a scene"))
     }
 
     #[test]

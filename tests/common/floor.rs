@@ -12,8 +12,6 @@ use raytree::scene::{Scene, SceneError, Settings};
 use raytree::tracer::pixel;
 use raytree::world::World;
 
-use crate::from_text;
-
 /// A floor y = 0 with Kd = 1, seen at (x, 0, z) from below the lights, and these lights and other objects.
 pub fn floor(at: [f64; 2], lights: &str, objects: &str) -> World {
     World::new(load(at, lights, objects).expect("a scene"), AccelKind::List)
@@ -36,7 +34,7 @@ pub fn load(at: [f64; 2], lights: &str, objects: &str) -> Result<Scene, SceneErr
 }}"#,
         z + 0.5
     );
-    from_text::read(&text)
+    raytree::scene::from_json(&text)
 }
 
 pub const LAMP: &str = r#"{"area": {"name": "lamp", "object": "lamp"}}"#;

@@ -1,8 +1,12 @@
 //! The command line as a user types it: what it prints, where, and with which exit status.
 
 mod notices;
+mod outputs;
+mod results;
 mod samples;
 mod stability;
+mod standard_input;
+mod unseen;
 
 use std::fs;
 

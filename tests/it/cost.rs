@@ -1,5 +1,7 @@
 //! `raytree cost`: bounded, repeatable, and of the order that theory tells.
 
+mod reference;
+
 use std::process::{Command, Output};
 use std::time::Instant;
 
@@ -297,52 +299,6 @@ fn robust_choices_err_by_nothing_and_others_show_what_they_are_for() {
     let all = ["none", "fixed:1e-9", "fixed:1e-4", "fixed:1e-2", "bounded"];
     assert_eq!(names, all);
     assert!(offsets[0].1 > 0.01 && offsets[4].1 == 0.0, "{offsets:?}");
-}
-
-#[test]
-fn a_picture_from_a_file_is_what_it_is_measured_against() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let place = |name: &str| folder.path().join(name).display().to_string();
-    let of = ["triangle", "--samples", "4", "--sampling", "regular"];
-    for (file, nearest) in [("a.pfm", 1e-7), ("a.png", 3e-3)] {
-        let path = place(file);
-        let rendered = Command::new(env!("CARGO_BIN_EXE_raytree"))
-            .arg("render")
-            .args([&of[..], &["--size", "16x12", "-o", &path]].concat())
-            .status();
-        assert!(rendered.expect("runs").success());
-        let args = ["triangle", "--runs", "1", "--most", "4", "--reference"];
-        let args = [&args[..], &[&path, "--knob", "pixel-samples-regular"]].concat();
-        let document = json(&args);
-        let steps = &sweep(&document, "pixel samples, regular")["steps"];
-        let rmse = |step: usize| steps[step]["errors"]["rmse"].as_f64().expect("a number");
-        assert!(rmse(1) < nearest && rmse(0) > 5.0 * nearest, "{steps:#}");
-        let again = document["again"].as_str().expect("a command");
-        assert!(
-            again.contains("--size 16x12") && again.contains(&path),
-            "{again}"
-        );
-        // Of another size.
-        let out = cost(&[&args[..], &["--size", "12x16"]].concat());
-        let said = String::from_utf8_lossy(&out.stderr);
-        assert_eq!(out.status.code(), Some(1));
-        let wanted = "has 16x12 pixels, and the pictures are to have 12x16";
-        assert!(said.contains(file) && said.contains(wanted), "{said}");
-    }
-    // No picture, and a file that is not there.
-    let text = place("a.txt");
-    std::fs::write(&text, "PNG?").expect("room on the disk");
-    std::fs::write(place("b.png"), b"\x89PNG\r\n\x1a\n????").expect("room on the disk");
-    for (file, wanted) in [
-        (text, "neither a PFM nor a PNG"),
-        (place("b.png"), "is no PNG file that can be read"),
-        (place("no.pfm"), "cannot be read"),
-    ] {
-        let out = cost(&["triangle", "--reference", &file]);
-        let said = String::from_utf8_lossy(&out.stderr);
-        assert_eq!(out.status.code(), Some(1));
-        assert!(said.contains(wanted), "{said}");
-    }
 }
 
 #[test]

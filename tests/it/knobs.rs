@@ -31,6 +31,8 @@ fn another(knob: &Knob) -> Value {
     let default = (knob.field.get)(&Settings::default());
     let text = match knob.kind {
         Kind::Size => "9x7",
+        // A ray for each pixel, and some more.
+        Kind::Whole(_) if knob.flag == "max-rays" => "77",
         Kind::Count { .. } | Kind::Whole(_) => "7",
         Kind::Real { .. } => "0.25",
         Kind::Text(_) => "none",

@@ -7,8 +7,6 @@ use raytree::trace::trace_pixel;
 use raytree::tracer::draw;
 use raytree::world::World;
 
-use crate::from_text;
-
 /// A picture of a ball with this camera: its pixels, or the message.
 fn picture(camera: &str) -> Result<Vec<[f64; 3]>, String> {
     let text = format!(
@@ -16,7 +14,7 @@ fn picture(camera: &str) -> Result<Vec<[f64; 3]>, String> {
         "materials": {{"chalk": {{"ambient": [1, 1, 1]}}}}, "ambient": [1, 1, 1],
         "objects": [{{"sphere": {{"name": "ball", "material": "chalk", "center": [0, 0, 0], "radius": 1}}}}]}}"#
     );
-    let scene = from_text::read(&text).map_err(|error| error.to_string())?;
+    let scene = raytree::scene::from_json(&text).map_err(|error| error.to_string())?;
     let world = World::new(scene, AccelKind::default());
     let settings = Settings::default().with(|s| {
         s.image.width = 8;

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use crate::lab::{EqualTime, Measured, Slopes, Sweep};
+use crate::scene::printable::printable;
 
 /// The tables, a group of knobs each. (Writing to a string cannot fail.)
 pub fn text(sweeps: &[Sweep]) -> String {
@@ -43,7 +44,10 @@ pub fn text(sweeps: &[Sweep]) -> String {
 
 /// What the crops in a file are, from left to right.
 pub fn comparisons(comparisons: &[EqualTime], path: &Path) -> String {
-    let mut out = format!("  crops in {}, from left to right:\n", path.display());
+    let mut out = format!(
+        "  crops in {}, from left to right:\n",
+        printable(&path.to_string_lossy())
+    );
     for equal_time in comparisons {
         let [x, y, w, h] = equal_time.crop;
         let _ = writeln!(

@@ -2,8 +2,8 @@
 
 use crate::cli::Failure;
 use crate::sampling::Sampler;
-use crate::scene::settings::knob::{Kind, Value};
-use crate::scene::{Pilot, PixelSampling};
+use crate::scene::settings::knob::{Kind, Value, parse_whole};
+use crate::scene::{Pilot, PixelSampling, Settings};
 
 /// An error if some of what was asked for does not go together.
 pub fn pixel(pixel: &PixelSampling) -> Result<(), Failure> {
@@ -46,6 +46,24 @@ jittered or sobol"
         )));
     }
     Ok(())
+}
+
+/// An error if there is not even an eye ray for each pixel.
+pub fn rays(settings: &Settings) -> Result<(), Failure> {
+    let ((width, height), most) = (settings.size(), settings.recursion.max_rays);
+    let pixels = u64::from(width) * u64::from(height);
+    if most >= pixels {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!(
+        "--max-rays {most}: a picture of {width}x{height} takes at least {pixels} rays, one a pixel; allow more, or take a \
+smaller --size"
+    )))
+}
+
+/// Parser of whole numbers from 1 to `most`.
+pub fn parse_count(most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone {
+    move |text| parse_whole(text, 1..=most.into()).map(|n| n as u32)
 }
 
 /// A finite number above 0.

@@ -1,12 +1,13 @@
 //! The picture of a case: its panels side by side, as text or in a PNG file.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
-use crate::cli::{Failure, output};
+use crate::cli::Failure;
+use crate::cli::output::{self, Destination};
 use crate::lab::contact_sheet;
 use crate::lab::stability::{Panel, Picture};
 use crate::math::Rgb;
+use crate::scene::printable::printable;
 use crate::tracer::image::{ColorLevel, terminal};
 
 /// Columns of text that the panels share.
@@ -71,14 +72,15 @@ fn characters(panel: &Panel, _: ColorLevel) -> Vec<String> {
 }
 
 /// Writes the panels to a PNG file; tells which is which.
-pub fn to_file(picture: &Picture, path: &Path) -> Result<String, Failure> {
+pub fn to_file(picture: &Picture, to: Destination) -> Result<String, Failure> {
+    let path = to.path().to_owned();
     let panels: Vec<Panel> = (picture.draw)((EDGE, EDGE));
     let names: Vec<String> = panels.iter().map(|p| p.arithmetic.clone()).collect();
     let films = panels.into_iter().map(|p| p.film).collect();
-    output::write_png(path, &contact_sheet(&[films], ZOOM), 1.0)?;
+    output::write_png(to, &contact_sheet(&[films], ZOOM), 1.0)?;
     Ok(format!(
         "\n{}, from left to right:\n  {}\n{}\n",
-        path.display(),
+        printable(&path.to_string_lossy()),
         names.join(", "),
         legend(picture, "red")
     ))

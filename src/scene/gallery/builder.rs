@@ -26,6 +26,7 @@ impl SceneBuilder {
             owners: Vec::new(),
             settings,
             warnings: Vec::new(),
+            files: Vec::new(),
         };
         Self { scene }
     }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::scene::printable::printable;
+
 /// Error of a scene. Its text has two lines: where and what, then what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneError {
@@ -54,12 +56,7 @@ impl Problem {
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{}\n  {}",
-            first_line(self),
-            printable(&self.problem.cure)
-        )
+        write!(f, "{}\n  {}", first_line(self), shown(&self.problem.cure))
     }
 }
 
@@ -74,7 +71,7 @@ pub fn first_line(error: &SceneError) -> String {
         field if field.is_empty() => field,
         field => format!(": {field}"),
     };
-    printable(&format!(
+    shown(&format!(
         "{}{position}{field}: {}",
         error.file, error.problem.what
     ))
@@ -94,18 +91,13 @@ fn shortened(path: &str) -> String {
     format!("{start}...{end}")
 }
 
-/// Text without control characters, cut at 600 letters, so that no file steers a terminal.
-pub fn printable(text: &str) -> String {
+/// Printable text of a message, cut at 600 letters.
+pub fn shown(text: &str) -> String {
     const LENGTH: usize = 600;
-    let mut shown: String = text
-        .chars()
-        .take(LENGTH)
-        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
-        .collect();
-    if text.chars().nth(LENGTH).is_some() {
-        shown.push_str("...");
+    match text.char_indices().nth(LENGTH) {
+        Some((end, _)) => format!("{}...", printable(&text[..end])),
+        None => printable(text).into_owned(),
     }
-    shown
 }
 
 /// Path of a field in a scene file, such as `objects[3].sphere.radius`, from which longer paths are made.
@@ -176,8 +168,8 @@ mod tests {
 
     #[test]
     fn no_escape_sequence_reaches_a_terminal() {
-        let error = Problem::new("\u{1b}[2J", "x").in_file("a\nb");
-        assert!(!error.to_string().contains('\u{1b}'));
-        assert_eq!(error.to_string().lines().count(), 2);
+        let error = Problem::new("\u{1b}[2J", "\u{202e}").in_file("a\nb");
+        let shown = "a\\nb: \\u{1b}[2J\n  \\u{202e}";
+        assert_eq!(error.to_string(), shown);
     }
 }

@@ -5,10 +5,11 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Read;
+use std::io::{Read, StdinLock};
 use std::path::{Component, Path, PathBuf};
 
 use super::error::Problem;
+use crate::scene::FileId;
 use crate::scene::limits::{MAX_FILE_BYTES, MAX_SCENE_BYTES};
 
 /// The files of one scene.
@@ -18,6 +19,8 @@ pub struct Files {
     /// Bytes read so far.
     bytes: u64,
     hash: blake3::Hasher,
+    /// The files on disk that were read so far.
+    pub read_from: Vec<FileId>,
 }
 
 /// Where paths in a scene file start.
@@ -58,6 +61,7 @@ impl Files {
             folder,
             bytes: 0,
             hash: blake3::Hasher::new(),
+            read_from: Vec::new(),
         }
     }
 
@@ -90,11 +94,33 @@ impl Files {
         }
         let (file, length) = regular(path)?;
         self.check_size(length)?;
+        self.read_from.extend(FileId::of(&file, path));
         let mut bytes = Vec::with_capacity(length as usize + 1);
         file.take(MAX_FILE_BYTES + 1)
             .read_to_end(&mut bytes)
             .map_err(|e| unreadable(&e))?;
         self.accept(bytes)
+    }
+
+    /// Text on standard input. If that is a file, it is one that was read.
+    pub fn read_stdin(&mut self, stdin: StdinLock) -> Result<String, Problem> {
+        #[cfg(unix)]
+        if let Ok(owned) = std::os::fd::AsFd::as_fd(&stdin).try_clone_to_owned() {
+            self.read_from
+                .extend(FileId::of(&fs::File::from(owned), Path::new("")));
+        }
+        let mut bytes = Vec::new();
+        let read = stdin.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes);
+        read.map_err(|e| unreadable(&e))?;
+        self.accept(bytes)
+    }
+
+    /// Takes a text that is there already into account, as if it had been read.
+    pub fn check_text(&mut self, text: &str) -> Result<(), Problem> {
+        self.check_size(text.len() as u64)?;
+        self.bytes += text.len() as u64;
+        self.take(text.as_bytes());
+        Ok(())
     }
 
     /// Text of a file whose bytes were read.
@@ -158,16 +184,13 @@ impl Files {
 pub fn regular(path: &Path) -> Result<(fs::File, u64), Problem> {
     let metadata = fs::metadata(path).map_err(|e| unreadable(&e))?;
     if metadata.is_dir() {
-        return Err(Problem::new(
-            "this is a folder",
-            "name a file in it that ends in .json or .obj",
-        ));
+        return Err(Problem::new("this is a folder", "name a file in it"));
     }
     // Asked before it is opened: a pipe would wait for ever, a device has no end.
     if !metadata.is_file() {
         return Err(Problem::new(
             "this is not a regular file",
-            "save the scene to a file first",
+            "save it to a file first",
         ));
     }
     let file = fs::File::open(path).map_err(|e| unreadable(&e))?;

@@ -1,6 +1,7 @@
 //! Knob: a setting that users name, with its values and how it is read and written.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 
 use serde::Serialize;
 
@@ -169,9 +170,11 @@ impl Kind {
                 Ok(x) if possible(x) => Ok(Value::Real(x)),
                 _ => Err(format!("must be {must_be}")),
             },
-            Self::Count { .. } | Self::Whole(_) => {
-                text.parse().map(Value::Whole).map_err(|e| e.to_string())
+            Self::Count { range, .. } => {
+                let [least, most] = range.map(u64::from);
+                parse_whole(text, least..=most).map(Value::Whole)
             }
+            Self::Whole(least) => parse_whole(text, least..=u64::MAX).map(Value::Whole),
             Self::Text(check) => check(text).map(|()| Value::Text(text.to_owned())),
             Self::Choice(_) | Self::Choices(_) => Ok(Value::Text(text.to_owned())),
         }
@@ -183,6 +186,16 @@ impl Value {
     pub fn is(&self, word: &str) -> bool {
         matches!(self, Self::Text(text) if text == word)
     }
+}
+
+/// A whole number of this range, or which numbers are possible.
+pub fn parse_whole(text: &str, range: RangeInclusive<u64>) -> Result<u64, String> {
+    let number = text.parse().ok().filter(|n| range.contains(n));
+    number.ok_or_else(|| match (*range.start(), *range.end()) {
+        (0, u64::MAX) => format!("must be a whole number, {} at most", u64::MAX),
+        (least, u64::MAX) => format!("must be a whole number, at least {least}"),
+        (least, most) => format!("must be a whole number from {least} to {most}"),
+    })
 }
 
 fn parse_size(text: &str) -> Result<[u32; 2], String> {

@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use super::heading;
 use super::tree_layout::{Figure, figures, hex, ink};
+use crate::scene::printable::printable_lines;
 use crate::trace::document::Document;
 
 /// A document in the DOT language, written by `Display`: a box a ray, dotted lines to the rays that were not sent.
@@ -64,15 +65,16 @@ fn absences(f: &mut fmt::Formatter, figures: &[Figure]) -> fmt::Result {
 
 /// The text, fit for a string of the language.
 fn escape(text: &str) -> String {
-    text.chars().fold(String::new(), |mut out, c| {
-        match c {
-            '\n' => out.push_str("\\n"),
-            '"' | '\\' => {
-                let _ = write!(out, "\\{c}");
+    printable_lines(text)
+        .chars()
+        .fold(String::new(), |mut out, c| {
+            match c {
+                '\n' => out.push_str("\\n"),
+                '"' | '\\' => {
+                    let _ = write!(out, "\\{c}");
+                }
+                c => out.push(c),
             }
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-        out
-    })
+            out
+        })
 }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::fmt;
 
 use crate::probe::RayKind;
+use crate::scene::printable::printable;
 use crate::trace::document::{Document, LightSummary, RayInTree, RayNode, RayOutcome, SampleTree};
 use crate::trace::format::{num, rgb, triple};
 
@@ -17,7 +18,7 @@ impl fmt::Display for Text<'_> {
         writeln!(
             f,
             "{}: {} = sRGB ({r}, {g}, {b}), {} rays",
-            super::heading(document),
+            printable(&super::heading(document)),
             rgb(document.color.linear),
             document.rays,
         )?;
@@ -64,7 +65,7 @@ fn tree(
             f.write_str(if ray.is_last { "└─ " } else { "├─ " })?;
             guides.push(if ray.is_last { "   " } else { "│  " });
         }
-        writeln!(f, "{}", summary(document, sample, &ray))?;
+        writeln!(f, "{}", printable(&summary(document, sample, &ray)))?;
         let bar = if ray.node.children.is_empty() {
             "   "
         } else {
@@ -72,7 +73,7 @@ fn tree(
         };
         let rest = guides.concat();
         for line in details(ray.node, lights) {
-            writeln!(f, "{rest}{bar}{line}")?;
+            writeln!(f, "{rest}{bar}{}", printable(&line))?;
         }
     }
     Ok(())

@@ -19,8 +19,18 @@ pub fn encode(film: &Film) -> Vec<u8> {
     pfm
 }
 
-/// The film of a PFM file in colour (`PF`) or grey (`Pf`); what is wrong with it, if it is none.
-pub fn decode(bytes: &[u8]) -> Result<Film, String> {
+/// First lines of a PFM file.
+struct Header {
+    /// Numbers a pixel.
+    channels: usize,
+    width: u32,
+    height: u32,
+    /// Whether the low byte of a number is the first.
+    low_first: bool,
+}
+
+/// The first lines, and what comes after them.
+fn header(bytes: &[u8]) -> Result<(Header, &[u8]), String> {
     let mut rest = bytes;
     let mut word = || {
         let end = rest.iter().take(32).position(u8::is_ascii_whitespace)?;
@@ -37,8 +47,29 @@ pub fn decode(bytes: &[u8]) -> Result<Film, String> {
         let number = word().and_then(|w| w.parse::<f64>().ok());
         number.ok_or_else(|| format!("has no {what} in its first lines"))
     };
-    let (width, height) = (number("width")? as u32, number("height")? as u32);
-    let low_first = number("scale")? < 0.0;
+    let header = Header {
+        channels,
+        width: number("width")? as u32,
+        height: number("height")? as u32,
+        low_first: number("scale")? < 0.0,
+    };
+    Ok((header, rest))
+}
+
+/// Width and height that a PFM file claims; what is wrong with it, if it is none.
+pub fn size(bytes: &[u8]) -> Result<(u32, u32), String> {
+    header(bytes).map(|(header, _)| (header.width, header.height))
+}
+
+/// The film of a PFM file in colour (`PF`) or grey (`Pf`); what is wrong with it, if it is none.
+pub fn decode(bytes: &[u8]) -> Result<Film, String> {
+    let (header, rest) = header(bytes)?;
+    let Header {
+        channels,
+        width,
+        height,
+        low_first,
+    } = header;
     if let Some(problem) = size_problem(width, height) {
         return Err(problem);
     }

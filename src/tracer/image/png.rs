@@ -19,10 +19,20 @@ pub fn encode(film: &Film, exposure: f64) -> Result<Vec<u8>, ImageError> {
     write(film.width, film.height, &bytes, ExtendedColorType::Rgb8)
 }
 
+/// Width and height that a PNG file claims; what is wrong with it, if it is none.
+pub fn size(bytes: &[u8]) -> Result<(u32, u32), String> {
+    PngDecoder::new(Cursor::new(bytes))
+        .map(|d| d.dimensions())
+        .map_err(|e| unreadable(&e))
+}
+
+fn unreadable(error: &ImageError) -> String {
+    format!("is no PNG file that can be read: {error}")
+}
+
 /// The film that a PNG file shows with this exposure, as far as its bits tell; what is wrong with it, if it is none.
 pub fn decode(bytes: &[u8], exposure: f64) -> Result<Film, String> {
-    let told = |e: ImageError| format!("is no PNG file that can be read: {e}");
-    let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(told)?;
+    let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(|e| unreadable(&e))?;
     let (width, height) = decoder.dimensions();
     if let Some(problem) = size_problem(width, height) {
         return Err(problem);
@@ -40,7 +50,7 @@ pub fn decode(bytes: &[u8], exposure: f64) -> Result<Film, String> {
         return Err("tells nothing: with an exposure of 0 every picture is black".to_owned());
     }
     let image = DynamicImage::from_decoder(decoder)
-        .map_err(told)?
+        .map_err(|e| unreadable(&e))?
         .to_rgb16();
     let shown = |p: &image::Rgb<u16>| Rgb::from_srgb(p.0.map(|c| f64::from(c) / 65535.0));
     Ok(Film {

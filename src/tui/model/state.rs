@@ -91,7 +91,8 @@ pub struct Model {
 
 impl Model {
     /// A world on a screen of this size, with an empty picture.
-    pub fn new(world: World, settings: Settings, options: Options, screen: Rect) -> Self {
+    pub fn new(mut world: World, settings: Settings, options: Options, screen: Rect) -> Self {
+        world.scene = world.scene.with_printable_names();
         Self {
             outlines: outlines(&world.scene),
             findings: findings(&world.scene),

@@ -9,6 +9,7 @@ use super::events;
 use super::program::Program;
 use super::screen::Screen;
 use crate::scene::Settings;
+use crate::scene::printable::shell_word;
 use crate::tui::model::{Message, Options, Request};
 use crate::world::World;
 
@@ -31,7 +32,7 @@ pub fn run(world: World, settings: Settings, options: Options) -> io::Result<()>
             format!(
                 "the debugger needs a terminal, and stdout is none; \
                  `raytree trace {} --pixel X,Y --format text` writes the same as text",
-                options.scene
+                shell_word(&options.scene)
             ),
         ));
     }
@@ -64,7 +65,7 @@ fn main_loop(screen: &mut Screen, program: &mut Program) -> io::Result<()> {
         } else {
             IDLE
         };
-        let mut answer = false;
+        let mut answer = screen.obey_signals()?;
         if event::poll(wait)? {
             for event in events::pending()? {
                 answer |= events::message(&event).is_some_and(|message| program.send(message));

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, Stdout, Write};
 use std::panic;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 use crossterm::cursor::{Hide, Show};
 use crossterm::event::{DisableMouseCapture, EnableMouseCapture};
@@ -16,7 +16,7 @@ use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 
-use super::signals;
+use super::signals::{self, Signals};
 use crate::tui::model::Model;
 use crate::tui::panes;
 
@@ -30,7 +30,7 @@ static PANICKED: AtomicBool = AtomicBool::new(false);
 pub struct Screen {
     terminal: Terminal<CrosstermBackend<BufWriter<Tty>>>,
     mouse: bool,
-    stop: Arc<AtomicBool>,
+    signals: Signals,
 }
 
 /// Standard output while the terminal is ours, nothing afterwards: when one thread has panicked and given the terminal
@@ -74,13 +74,17 @@ impl Drop for Screen {
         // What is still buffered must not be written after the terminal is given back.
         let _ = self.terminal.backend_mut().flush();
         give_back();
+        #[cfg(unix)]
+        if self.signals.quit.load(Ordering::Relaxed) {
+            let _ = signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGQUIT);
+        }
     }
 }
 
 impl Screen {
     /// Takes the terminal over. From now on a panic gives it back before it speaks, and a signal to end is noted.
     pub fn take() -> io::Result<Self> {
-        let stop = signals::stop_flag()?;
+        let signals = Signals::watch()?;
         signals::watch_for_hangup();
         // Colours are quantized by `panes::theme`. (With NO_COLOR set, crossterm would spoil attributes as well.)
         crossterm::style::force_color_output(true);
@@ -96,10 +100,18 @@ impl Screen {
         let mut screen = Self {
             terminal,
             mouse: false,
-            stop,
+            signals,
         };
         screen.enter()?;
         Ok(screen)
+    }
+
+    /// Takes the terminal over again: nothing of what was drawn is there any more.
+    fn take_again(&mut self) -> io::Result<()> {
+        self.enter()?;
+        self.mouse = false;
+        let size = self.size()?;
+        self.terminal.resize(size)
     }
 
     fn enter(&mut self) -> io::Result<()> {
@@ -118,7 +130,23 @@ impl Screen {
 
     /// True if someone wants the program to end.
     pub fn is_told_to_stop(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+        let Signals { end, quit, .. } = &self.signals;
+        end.load(Ordering::Relaxed) || quit.load(Ordering::Relaxed)
+    }
+
+    /// Does what signals to stop and to go on ask for. True if the screen must be drawn anew.
+    pub fn obey_signals(&mut self) -> io::Result<bool> {
+        if self.signals.stop.swap(false, Ordering::Relaxed) {
+            self.suspend()?;
+            return Ok(true);
+        }
+        let went_on = self.signals.go_on.swap(false, Ordering::Relaxed);
+        if went_on {
+            // It was stopped without being asked, and a shell has changed the terminal meanwhile.
+            give_back();
+            self.take_again()?;
+        }
+        Ok(went_on)
     }
 
     /// True if a thread panicked; the terminal is given back already.
@@ -154,11 +182,8 @@ impl Screen {
     pub fn suspend(&mut self) -> io::Result<()> {
         give_back();
         signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP)?;
-        self.enter()?;
-        self.mouse = false;
-        // Nothing of what was drawn is there any more.
-        let size = self.size()?;
-        self.terminal.resize(size)
+        self.signals.go_on.store(false, Ordering::Relaxed);
+        self.take_again()
     }
 
     /// There is no such thing here.

@@ -1,4 +1,4 @@
-//! Signals that end the program, and a watch for terminals that are gone without a signal.
+//! Signals that end or stop the program, and a watch for terminals that are gone without a signal.
 
 use std::io;
 use std::sync::Arc;
@@ -8,15 +8,43 @@ use std::sync::atomic::AtomicBool;
 #[cfg(unix)]
 const HANGUP: std::time::Duration = std::time::Duration::from_millis(250);
 
-/// A flag that signals to end set.
-#[cfg(unix)]
-pub fn stop_flag() -> io::Result<Arc<AtomicBool>> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
-    let stop = Arc::new(AtomicBool::new(false));
-    for signal in [SIGTERM, SIGHUP, SIGINT] {
-        signal_hook::flag::register(signal, Arc::clone(&stop))?;
+/// What signals from outside ask for: flags that they set.
+#[derive(Clone, Default)]
+pub struct Signals {
+    /// To end.
+    pub end: Arc<AtomicBool>,
+    /// To end as a program that went wrong (SIGQUIT).
+    pub quit: Arc<AtomicBool>,
+    /// To stop until it is told to go on.
+    pub stop: Arc<AtomicBool>,
+    /// To go on after a stop of which it was not told.
+    pub go_on: Arc<AtomicBool>,
+}
+
+impl Signals {
+    /// Looks out for them from now on.
+    #[cfg(unix)]
+    pub fn watch() -> io::Result<Self> {
+        use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
+        let signals = Self::default();
+        for (signal, flag) in [
+            (SIGTERM, &signals.end),
+            (SIGHUP, &signals.end),
+            (SIGINT, &signals.end),
+            (SIGQUIT, &signals.quit),
+            (SIGTSTP, &signals.stop),
+            (SIGCONT, &signals.go_on),
+        ] {
+            signal_hook::flag::register(signal, Arc::clone(flag))?;
+        }
+        Ok(signals)
     }
-    Ok(stop)
+
+    /// Flags that nothing sets.
+    #[cfg(not(unix))]
+    pub fn watch() -> io::Result<Self> {
+        Ok(Self::default())
+    }
 }
 
 /// Ends the program when its terminal is gone, as the signal SIGHUP does where it is sent. (It is not always; and
@@ -35,9 +63,3 @@ pub fn watch_for_hangup() {
 /// Closing the window ends the program here.
 #[cfg(not(unix))]
 pub fn watch_for_hangup() {}
-
-/// A flag that nothing sets.
-#[cfg(not(unix))]
-pub fn stop_flag() -> io::Result<Arc<AtomicBool>> {
-    Ok(Arc::new(AtomicBool::new(false)))
-}

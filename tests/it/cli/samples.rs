@@ -52,8 +52,8 @@ fn traced(line: &str) -> Value {
 fn what_goes_wrong_is_told_in_one_message() {
     let scene = "render soft-shadow --size 8x6 -o unwritten.png";
     for (flags, words) in [
-        ("--samples 0", "0 is not in 1..=4096"),
-        ("--sets 0", "0 is not in"),
+        ("--samples 0", "must be a whole number from 1 to 4096"),
+        ("--sets 0", "must be a whole number from 1"),
         ("--samples 4 --sets 5 --sampling sobol", "--sets 5"),
         (
             "--samples 4 --sets 2 --sampling regular",

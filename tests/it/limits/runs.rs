@@ -140,7 +140,7 @@ fn flags() {
     refused("--samples", "4097", "4096");
     refused("--light-samples", "65537", "65536");
     refused("--threads", "1025", "1024");
-    refused("--max-rays", "0", "1..");
+    refused("--max-rays", "0", "at least 1");
     let budget = said(&["cost", "triangle", "--budget", "1000001"], 2);
     assert!(
         budget.contains("--budget") && budget.contains("1e6"),

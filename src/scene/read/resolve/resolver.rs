@@ -136,6 +136,7 @@ impl Resolver {
         }
         self.scene.warnings = self.warnings.into_list(&self.scene.name);
         self.scene.hash = self.files.hash();
+        self.scene.files = self.files.read_from;
         self.scene
     }
 

@@ -109,7 +109,7 @@ pub const ROWS: &[Knob] = &[
     },
     Knob {
         flag: "max-rays",
-        doc: "Rays that the whole picture may cost",
+        doc: "Rays that the whole picture may cost, at least one a pixel",
         kind: Kind::Whole(1),
         field: number!(Whole, recursion.max_rays),
         json: "max_rays",
