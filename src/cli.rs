@@ -17,12 +17,13 @@ mod stability;
 mod trace;
 mod view;
 
+use std::ffi::OsString;
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::scene::printable::printable_lines;
+use crate::scene::printable::{is_printable, printable_lines};
 use color::ColorArg;
 pub use output::Failure;
 
@@ -95,11 +96,10 @@ pub fn main() -> ExitCode {
 /// Tells what is wrong with the command line, or the help or version that it asks for: that is a result, which may fail to
 /// be written.
 fn tell(error: &clap::Error) -> Result<Completion, Failure> {
-    let text = error.render().to_string();
-    let shown = printable_lines(&text);
-    if shown != text {
+    let is_plain = |word: OsString| word.to_string_lossy().chars().all(is_printable);
+    if error.use_stderr() && !std::env::args_os().all(is_plain) {
         // What was typed would steer the terminal.
-        eprint!("{shown}");
+        eprint!("{}", printable_lines(&error.render().to_string()));
         return Err(Failure::CommandLine);
     }
     let written = error.print().and_then(|()| io::stdout().flush());

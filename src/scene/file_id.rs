@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// What tells a file from all others: its device and its number there.
 #[cfg(unix)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileId {
     device: u64,
     inode: u64,

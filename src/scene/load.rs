@@ -10,7 +10,7 @@ use super::gallery::{builtin, procedural};
 use super::read::did_you_mean::did_you_mean;
 use super::read::error::{Problem, SceneError};
 use super::read::file::parse;
-use super::read::files::{Files, regular};
+use super::read::files::{Files, SCENES, regular};
 use super::read::resolve::resolve;
 
 /// Name of standard input in messages.
@@ -29,7 +29,7 @@ pub fn load(spec: &str) -> Result<Scene, SceneError> {
     let path = Path::new(spec);
     if ends_in(path, "obj") {
         // A clear answer if it cannot be read, before it is looked for as a part of a scene.
-        regular(path).map_err(|p| p.in_file(spec))?;
+        regular(path, SCENES).map_err(|p| p.in_file(spec))?;
     }
     read(spec, Files::beside(path))
 }

@@ -55,7 +55,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     shown.into()
 }
 
-/// The same for text whose lines are meant.
+/// Printable text whose line ends are meant.
 pub fn printable_lines(text: &str) -> String {
     let lines: Vec<Cow<str>> = text.split('\n').map(printable).collect();
     lines.join("\n")

@@ -26,7 +26,7 @@ impl GivenPicture {
             id: None,
             bytes: Vec::new(),
         };
-        let (file, _) = regular(path).map_err(|p| picture.failure(p))?;
+        let (file, _) = regular(path, ".pfm or .png").map_err(|p| picture.failure(p))?;
         picture.id = FileId::of(&file, path).ok();
         let read = file
             .take(MAX_FILE_BYTES + 1)

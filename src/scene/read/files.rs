@@ -92,7 +92,7 @@ impl Files {
             let bytes = bytes.ok_or_else(missing)?.clone();
             return self.accept(bytes);
         }
-        let (file, length) = regular(path)?;
+        let (file, length) = regular(path, SCENES)?;
         self.check_size(length)?;
         self.read_from.extend(FileId::of(&file, path));
         let mut bytes = Vec::with_capacity(length as usize + 1);
@@ -180,11 +180,17 @@ impl Files {
     }
 }
 
-/// Regular file, opened, and its length.
-pub fn regular(path: &Path) -> Result<(fs::File, u64), Problem> {
+/// Endings of the names of scenes and models.
+pub const SCENES: &str = ".json or .obj";
+
+/// Regular file, opened, and its length. `endings` are those of the files that are looked for.
+pub fn regular(path: &Path, endings: &str) -> Result<(fs::File, u64), Problem> {
     let metadata = fs::metadata(path).map_err(|e| unreadable(&e))?;
     if metadata.is_dir() {
-        return Err(Problem::new("this is a folder", "name a file in it"));
+        return Err(Problem::new(
+            "this is a folder",
+            format!("name a file in it that ends in {endings}"),
+        ));
     }
     // Asked before it is opened: a pipe would wait for ever, a device has no end.
     if !metadata.is_file() {

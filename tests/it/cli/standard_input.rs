@@ -33,7 +33,16 @@ fn every_command_reads_a_scene_from_standard_input() {
         &["trace", "SCENE", "--pixel", "8,6", "--format", "text"],
         &["effects", "SCENE"],
         &[
-            "cost", "SCENE", "--budget", "1", "--most", "1", "--runs", "1", "--knob", "depth",
+            "cost",
+            "SCENE",
+            "--budget",
+            "1",
+            "--most",
+            "1",
+            "--runs",
+            "1",
+            "--knob",
+            "pixel-samples",
             "--csv",
         ],
     ] {
