@@ -3,6 +3,7 @@
 mod format;
 mod models;
 mod paths;
+mod shapes;
 mod values;
 
 use std::fs;

@@ -4,12 +4,13 @@
 //! `objects[3].sphere.radius`. Every object may carry a `note`, which says what it is there for and changes nothing.
 
 mod expected;
-mod explain;
 mod light;
 mod material;
 mod object;
 mod parse;
 mod settings;
+mod shape;
+mod syntax;
 mod transform;
 
 use std::collections::BTreeMap;

@@ -74,7 +74,11 @@ fn wrong_type() {
     let text = sphere(r#""center": [0, 0], "radius": 1"#);
     assert_says(
         &refused(text.as_bytes()),
-        &["objects[0].sphere.center", "length 2", "three numbers"],
+        &[
+            "objects[0].sphere.center",
+            "length 2",
+            "\"center\": [x, y, z] (the centre)",
+        ],
     );
 }
 
@@ -102,22 +106,22 @@ fn things_that_students_write() {
         (
             r#""objects": [{"disc": [1, 2]}]"#,
             "objects[0].disc",
-            r#"name the fields, such as {"name": ..., "material": ..., "center": ..., "normal": ..., "radius": ...}"#,
+            r#"name the fields, such as {"name": "...", "material": "...", "center": [x, y, z], "normal": [x, y, z], "radius": 1}"#,
         ),
         (
             r#""lights": [{"area": ["a"]}]"#,
             "lights[0].area",
-            r#"{"name": ..., "object": ...}"#,
+            r#"{"name": "...", "object": "..."}"#,
         ),
         (
             r#""lights": [{}]"#,
             "lights[0]",
-            r#"name its kind, such as {"point": {"name": ..."#,
+            r#"name its kind, such as {"point": {"name": "...", "position": [x, y, z], "intensity": [r, g, b]}}"#,
         ),
         (
             r#""lights": ["spot"]"#,
             "lights[0].spot",
-            r#"{"spot": {"name": ..., "position": ..."#,
+            r#"{"spot": {"name": "...", "position": [x, y, z]"#,
         ),
         (
             r#""objects": [5]"#,

@@ -98,7 +98,7 @@ fn flattening_transform() {
     let text = sphere(r#""center": [0, 0, 0], "radius": 1, "transform": [{"scale": "x"}]"#);
     assert_says(
         &refused(text.as_bytes()),
-        &["transform[0].scale", "one number or a list"],
+        &["transform[0].scale", "a number or a list"],
     );
 }
 

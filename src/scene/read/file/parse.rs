@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
-use serde_path_to_error::Path;
+use serde::de::{Deserialize, DeserializeSeed as _, Deserializer, Error, MapAccess, Visitor};
 
 use super::SceneFile;
-use super::explain::{problem, word_at};
+use super::shape::{Comparison, Part};
+use super::syntax::{self, word_at};
 use crate::scene::read::error::{Problem, SceneError};
 
 /// Reads a scene file. `file` is its name in error messages.
@@ -27,31 +27,30 @@ pub fn parse(text: &str, file: &str) -> Result<SceneFile, SceneError> {
         .in_file(file));
     }
     let mut deserializer = serde_json::Deserializer::from_str(text);
-    let scene = serde_path_to_error::deserialize(&mut deserializer)
-        .map_err(|e| explained(e.inner(), text, file, Some(e.path())))?;
-    deserializer
-        .end()
-        .map_err(|e| explained(&e, text, file, None))?;
-    Ok(scene)
+    SceneFile::deserialize(&mut deserializer)
+        .and_then(|scene| deserializer.end().map(|()| scene))
+        .map_err(|error| explained(&error, text, file))
 }
 
 /// The parser's error with its line, its path and a cure.
-fn explained(error: &serde_json::Error, text: &str, file: &str, path: Option<&Path>) -> SceneError {
-    // A part that the parser could not name says nothing.
-    let field = path.map_or(String::new(), |path| path.to_string().replace(".?", ""));
-    let field = if field == "." || field == "?" {
-        String::new()
-    } else {
-        field
-    };
+fn explained(error: &serde_json::Error, text: &str, file: &str) -> SceneError {
+    let place = Comparison::default();
+    let mut deserializer = serde_json::Deserializer::from_str(text);
+    let compared = Part::scene(&place)
+        .deserialize(&mut deserializer)
+        .and_then(|()| deserializer.end());
+    let error = compared.as_ref().err().unwrap_or(error);
     let (line, column) = (error.line(), error.column());
-    let message = error.to_string();
-    let position = format!(" at line {line} column {column}");
-    let what = message.strip_suffix(&position).unwrap_or(&message);
+    let problem = place.problem.take().unwrap_or_else(|| {
+        let message = error.to_string();
+        let position = format!(" at line {line} column {column}");
+        let what = message.strip_suffix(&position).unwrap_or(&message);
+        syntax::problem(what, word_at(text, line, column))
+    });
     SceneError {
         position: (line > 0).then_some((line, column)),
-        problem: problem(what, word_at(text, line, column), &field, path),
-        field,
+        problem,
+        field: place.path(),
         file: file.to_string(),
     }
 }
