@@ -6,6 +6,7 @@ mod command_line;
 mod cost;
 mod effects;
 mod end_signals;
+mod find;
 mod new_file;
 mod notices;
 mod output;
@@ -34,6 +35,8 @@ pub enum Completion {
     Whole,
     /// Stopped at a limit; what was made is kept.
     Cut,
+    /// Done, and the answer is no.
+    No,
 }
 
 /// A ray tracer that keeps the answer to "why does this pixel have this colour?"
@@ -44,7 +47,7 @@ pub enum Completion {
 #[command(version, max_term_width = 100, arg_required_else_help = false)]
 #[command(
     after_help = "Exit status: 0 done, 1 the input is wrong, 2 the command line is wrong, \
-3 stopped at a limit (what was made is kept)."
+3 stopped at a limit (what was made is kept), 4 the answer is no (nothing was found)."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -61,6 +64,9 @@ enum Command {
     Trace(trace::Trace),
     /// Tell which effects a scene calls for, and why
     Effects(effects::Effects),
+    /// Find the pixels whose ray trees satisfy a query
+    #[command(after_help = find::HELP)]
+    Find(find::Find),
     /// Measure what accuracy costs in time
     Cost(cost::Cost),
     /// Look at hard cases: what common arithmetic makes of them, and what raytree does
@@ -81,6 +87,7 @@ pub fn main() -> ExitCode {
     match Cli::try_parse().map_or_else(|error| tell(&error), run) {
         Ok(Completion::Whole) => ExitCode::SUCCESS,
         Ok(Completion::Cut) => ExitCode::from(3),
+        Ok(Completion::No) => ExitCode::from(4),
         // A reader that has seen enough is no error.
         Err(failure @ Failure::CommandLine) => failure.exit_code(),
         Err(Failure::Output { source, .. }) if source.kind() == io::ErrorKind::BrokenPipe => {
@@ -117,6 +124,7 @@ fn run(cli: Cli) -> Result<Completion, Failure> {
         Some(Command::Render(command)) => command.run(),
         Some(Command::Trace(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
+        Some(Command::Find(command)) => command.run(),
         Some(Command::Cost(command)) => command.run(),
         Some(Command::Stability(command)) => command.run(),
         Some(Command::Scenes(command)) => command.run(),

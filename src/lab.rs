@@ -8,6 +8,7 @@ pub mod cost;
 pub mod effort;
 pub mod equal_time;
 pub mod error;
+pub mod find;
 pub mod flip;
 pub mod measured;
 pub mod parameter;

@@ -32,7 +32,7 @@ pub use term::{Factor, ProjectedShare, Term, TermKind, highlight};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use strum::{EnumDiscriminants, IntoStaticStr};
+use strum::{EnumDiscriminants, IntoStaticStr, VariantNames};
 
 use crate::geometry::Hit;
 use crate::math::{DVec3, Interval, Rgb};
@@ -307,7 +307,7 @@ pub enum Verdict {
 #[strum_discriminants(
     name(AbsenceReason),
     doc = "Why a ray was not sent.",
-    derive(Serialize, Deserialize, JsonSchema, IntoStaticStr),
+    derive(Serialize, Deserialize, JsonSchema, IntoStaticStr, VariantNames),
     serde(rename_all = "kebab-case"),
     strum(serialize_all = "kebab-case")
 )]

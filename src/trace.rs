@@ -12,6 +12,7 @@ pub mod format;
 pub mod ledger;
 pub mod light_estimate;
 pub mod lighting;
+pub mod query;
 pub mod recorder;
 pub mod surface_hit;
 pub mod tree;
@@ -22,6 +23,7 @@ pub use document::Document;
 pub use explain::{Explanation, explain};
 pub use light_estimate::LightEstimate;
 
+pub use query::Query;
 pub use recorder::Recorder;
 pub use surface_hit::SurfaceHit;
 pub use tree::{Node, Outcome, RayTree};
@@ -52,14 +54,22 @@ pub fn trace_pixel(
     (x, y): (u32, u32),
     traversal: bool,
 ) -> PixelTrace {
+    thread_pool::install(1, || trace_pixel_here(world, settings, (x, y), traversal))
+}
+
+/// [`trace_pixel`] on the calling thread, whose stack must be deep enough: one of [`thread_pool::install`].
+pub fn trace_pixel_here(
+    world: &World,
+    settings: &Settings,
+    (x, y): (u32, u32),
+    traversal: bool,
+) -> PixelTrace {
     let settings = settings.with(|s| s.pixel.errors = true);
-    let (pixel, tree) = thread_pool::install(1, || {
-        if traversal {
-            record(Recorder::<true>::default(), world, &settings, (x, y))
-        } else {
-            record(Recorder::<false>::default(), world, &settings, (x, y))
-        }
-    });
+    let (pixel, tree) = if traversal {
+        record(Recorder::<true>::default(), world, &settings, (x, y))
+    } else {
+        record(Recorder::<false>::default(), world, &settings, (x, y))
+    };
     PixelTrace { x, y, pixel, tree }
 }
 

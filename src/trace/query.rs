@@ -1,0 +1,174 @@
+//! Queries: what is asked of a pixel's ray tree, as in `hits:ball and not lit:lamp`.
+//!
+//! A query is true or false of a node of the tree, a ray. It is asked of the eye ray; `some(...)` asks it of all rays that
+//! follow from it as well. The grammar:
+//!
+//! ```text
+//! query    = all *("or" all)
+//! all      = part *("and" part)
+//! part     = "not" part | "(" query ")" | "some" "(" query ")" | word | quantity compare number
+//! word     = "hit" | "miss" | "back" | "tir" | "I" | "L" | "R" | "T"
+//!          | ("hits" | "material" | "lit" | "blocked") ":" name | "absent" ":" reason | "path" ":" kinds ">" name
+//! quantity = "depth" | "rays" | "t" | "red" | "green" | "blue" | "luminance" | "n1" | "n2" | "reflectance"
+//!          | ("n_dot_l" | "diffuse" | "specular") ":" name
+//! compare  = "<" | "<=" | ">" | ">=" | "=" | "!="
+//! ```
+//!
+//! A name may hold `*` for any letters, and stands in double quotes if it holds spaces or brackets.
+
+mod parse;
+mod pattern;
+mod quantity;
+
+use crate::probe::{Event, RayKind};
+use crate::trace::{Outcome, View};
+use pattern::Pattern;
+use quantity::Quantity;
+
+pub use parse::QueryError;
+
+/// A query, made from its text with [`str::parse`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Query {
+    /// Both.
+    And(Box<Query>, Box<Query>),
+    /// One of the two, or both.
+    Or(Box<Query>, Box<Query>),
+    /// The contrary.
+    Not(Box<Query>),
+    /// True of the ray, or of a ray that follows from it.
+    Some(Box<Query>),
+    /// A property.
+    Is(Property),
+    /// A quantity beside a number; false where the ray has no such quantity.
+    Compare(Quantity, Comparison, f64),
+}
+
+/// A property that a ray has or has not.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Property {
+    /// It is of this kind.
+    Kind(RayKind),
+    /// It ends on a surface.
+    Hit,
+    /// It leaves the scene.
+    Miss,
+    /// It meets a surface from inside.
+    Back,
+    /// It ends on an object of such a name.
+    Hits(Pattern),
+    /// It ends on a material of such a name.
+    Material(Pattern),
+    /// Where it ends, light reaches the surface from a light of such a name.
+    Lit(Pattern),
+    /// Where it ends, something is before a light of such a name.
+    Blocked(Pattern),
+    /// Where it ends, a ray is not sent, for this reason.
+    Absent(&'static str),
+    /// It is followed by rays of these kinds, the last of which ends on an object of such a name.
+    Path(Vec<RayKind>, Pattern),
+}
+
+/// How a quantity and a number are compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comparison {
+    /// Less.
+    Less,
+    /// Less or equal.
+    AtMost,
+    /// More.
+    More,
+    /// More or equal.
+    AtLeast,
+    /// Equal, to the last bit.
+    Equal,
+    /// Not equal.
+    Unequal,
+}
+
+impl Query {
+    /// True if the eye ray of one of the pixel's samples satisfies the query.
+    pub fn holds(&self, view: View) -> bool {
+        let mut roots = view.trace.tree.samples.iter().filter_map(|s| s.root);
+        roots.any(|root| self.holds_at(view, root))
+    }
+
+    /// True if a node satisfies the query.
+    pub fn holds_at(&self, view: View, node: u32) -> bool {
+        match self {
+            Self::And(a, b) => a.holds_at(view, node) && b.holds_at(view, node),
+            Self::Or(a, b) => a.holds_at(view, node) || b.holds_at(view, node),
+            Self::Not(query) => !query.holds_at(view, node),
+            Self::Some(query) => {
+                let subtree = node..node + view.trace.tree.node(node).size;
+                subtree.into_iter().any(|n| query.holds_at(view, n))
+            }
+            Self::Is(property) => property.holds_at(view, node),
+            Self::Compare(quantity, comparison, number) => quantity
+                .of(view, node)
+                .is_some_and(|value| comparison.holds(value, *number)),
+        }
+    }
+}
+
+impl Property {
+    fn holds_at(&self, view: View, node: u32) -> bool {
+        let tree = &view.trace.tree;
+        let this = tree.node(node);
+        let (world, scene) = (view.world, &view.world.scene);
+        let hit = match this.outcome {
+            Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => Some(hit),
+            _ => None,
+        };
+        // The shadow rays to lights of such a name.
+        let shadow_ray = |pattern: &Pattern, lit: bool| {
+            tree.children(node)
+                .map(|child| tree.node(child))
+                .any(|ray| {
+                    ray.ray.kind == RayKind::Light
+                        && matches!(ray.outcome, Some(Outcome::Lit)) == lit
+                        && pattern.matches(view.light_name(ray.ray.light))
+                })
+        };
+        match self {
+            Self::Kind(kind) => this.ray.kind == *kind,
+            Self::Hit => hit.is_some(),
+            Self::Miss => this.outcome == Some(Outcome::Miss),
+            Self::Back => view
+                .surface_hit(node)
+                .is_some_and(|surface| surface.at.side == crate::shading::Side::Back),
+            Self::Hits(pattern) => {
+                hit.is_some_and(|hit| pattern.matches(&scene.object_of(hit.primitive).name))
+            }
+            Self::Material(pattern) => {
+                hit.is_some_and(|hit| pattern.matches(&world.scene.material_of(hit.primitive).name))
+            }
+            Self::Lit(pattern) => shadow_ray(pattern, true),
+            Self::Blocked(pattern) => shadow_ray(pattern, false),
+            Self::Absent(name) => tree.own_events(node).any(
+                |(_, event)| matches!(event, Event::Absent { reason, .. } if reason.name() == *name),
+            ),
+            Self::Path(kinds, pattern) => match kinds.split_first() {
+                None => Self::Hits(pattern.clone()).holds_at(view, node),
+                Some((kind, rest)) => {
+                    let rest = Self::Path(rest.to_vec(), pattern.clone());
+                    tree.children(node)
+                        .any(|c| tree.node(c).ray.kind == *kind && rest.holds_at(view, c))
+                }
+            },
+        }
+    }
+}
+
+impl Comparison {
+    fn holds(self, value: f64, number: f64) -> bool {
+        match self {
+            Self::Less => value < number,
+            Self::AtMost => value <= number,
+            Self::More => value > number,
+            Self::AtLeast => value >= number,
+            Self::Equal => value == number,
+            Self::Unequal => value != number,
+        }
+    }
+}

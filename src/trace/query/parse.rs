@@ -1,0 +1,445 @@
+//! Parser of queries: recursive descent over the grammar in [`super`].
+
+use std::fmt;
+use std::str::FromStr;
+
+use strum::VariantNames;
+
+use super::pattern::Pattern;
+use super::quantity::Quantity;
+use super::{Comparison, Property, Query};
+use crate::probe::{AbsenceReason, RayKind};
+use crate::scene::read::did_you_mean::did_you_mean;
+
+/// Bytes of a query at most.
+const LONGEST: usize = 2000;
+
+/// Brackets inside of each other, and `not` before `not`, at most.
+const DEEPEST: u32 = 50;
+
+/// Words that stand alone.
+const WORDS: [(&str, Property); 7] = [
+    ("hit", Property::Hit),
+    ("miss", Property::Miss),
+    ("back", Property::Back),
+    ("I", Property::Kind(RayKind::Incident)),
+    ("L", Property::Kind(RayKind::Light)),
+    ("R", Property::Kind(RayKind::Reflected)),
+    ("T", Property::Kind(RayKind::Transmitted)),
+];
+
+/// Words that a name follows, and an example of each.
+const NAMED: [(&str, &str); 6] = [
+    ("hits", "hits:ball"),
+    ("material", "material:glass"),
+    ("lit", "lit:lamp"),
+    ("blocked", "blocked:lamp"),
+    ("absent", "absent:depth-limit"),
+    ("path", "path:TT>floor"),
+];
+
+/// Why a text is no query.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct QueryError {
+    /// The number of letters before the mistake.
+    pub at: usize,
+    /// What is wrong.
+    pub what: String,
+    /// What to do.
+    pub cure: String,
+}
+
+impl fmt::Display for QueryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "letter {}: {}; {}", self.at + 1, self.what, self.cure)
+    }
+}
+
+impl std::error::Error for QueryError {}
+
+impl FromStr for Query {
+    type Err = QueryError;
+
+    fn from_str(text: &str) -> Result<Self, QueryError> {
+        let mut parser = Parser {
+            tokens: tokens(text)?,
+            next: 0,
+            end: text.chars().count(),
+        };
+        let query = parser.any(0)?;
+        match parser.tokens.get(parser.next) {
+            None => Ok(query),
+            Some((at, _)) => Err(error(
+                *at,
+                "the query ends before this",
+                "write `and` or `or` between two parts",
+            )),
+        }
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Token {
+    Open,
+    Close,
+    Compare(Comparison),
+    Word(String),
+}
+
+struct Parser {
+    /// Each with the number of letters before it.
+    tokens: Vec<(usize, Token)>,
+    next: usize,
+    end: usize,
+}
+
+impl Parser {
+    fn any(&mut self, depth: u32) -> Result<Query, QueryError> {
+        let mut query = self.all(depth)?;
+        while self.take_word("or") {
+            query = Query::Or(Box::new(query), Box::new(self.all(depth)?));
+        }
+        Ok(query)
+    }
+
+    fn all(&mut self, depth: u32) -> Result<Query, QueryError> {
+        let mut query = self.part(depth)?;
+        while self.take_word("and") {
+            query = Query::And(Box::new(query), Box::new(self.part(depth)?));
+        }
+        Ok(query)
+    }
+
+    fn part(&mut self, depth: u32) -> Result<Query, QueryError> {
+        let at = self.at();
+        if depth > DEEPEST {
+            return Err(error(at, "it is nested too deeply", "use fewer brackets"));
+        }
+        if self.take_word("not") {
+            return Ok(Query::Not(Box::new(self.part(depth + 1)?)));
+        }
+        if self.take_word("some") {
+            if !self.take(&Token::Open) {
+                return Err(error(
+                    self.at(),
+                    "`some` needs brackets",
+                    "write some(R and t < 1)",
+                ));
+            }
+            return Ok(Query::Some(Box::new(self.inside(depth)?)));
+        }
+        if self.take(&Token::Open) {
+            return self.inside(depth);
+        }
+        let Some((_, Token::Word(word))) = self.tokens.get(self.next).cloned() else {
+            return Err(error(
+                at,
+                "a property is missing here",
+                "write one, such as hits:ball or depth >= 3",
+            ));
+        };
+        self.next += 1;
+        if let Some((_, Token::Compare(comparison))) = self.tokens.get(self.next).cloned() {
+            self.next += 1;
+            return Ok(Query::Compare(
+                quantity(at, &word)?,
+                comparison,
+                self.number()?,
+            ));
+        }
+        property(at, &word)
+    }
+
+    /// What stands before a closing bracket.
+    fn inside(&mut self, depth: u32) -> Result<Query, QueryError> {
+        let query = self.any(depth + 1)?;
+        if self.take(&Token::Close) {
+            return Ok(query);
+        }
+        Err(error(
+            self.at(),
+            "a closing bracket is missing",
+            "write `)`",
+        ))
+    }
+
+    fn number(&mut self) -> Result<f64, QueryError> {
+        let at = self.at();
+        let number = match self.tokens.get(self.next) {
+            Some((_, Token::Word(word))) => word.parse::<f64>().ok().filter(|x| x.is_finite()),
+            _ => None,
+        };
+        self.next += 1;
+        number.ok_or_else(|| error(at, "a number is missing here", "write one, such as 0.5"))
+    }
+
+    fn take(&mut self, token: &Token) -> bool {
+        let there = self.tokens.get(self.next).is_some_and(|(_, t)| t == token);
+        self.next += usize::from(there);
+        there
+    }
+
+    fn take_word(&mut self, word: &str) -> bool {
+        self.take(&Token::Word(word.to_string()))
+    }
+
+    fn at(&self) -> usize {
+        self.tokens.get(self.next).map_or(self.end, |(at, _)| *at)
+    }
+}
+
+/// The property that a word names.
+fn property(at: usize, word: &str) -> Result<Query, QueryError> {
+    if word == "tir" {
+        let absent = Property::Absent("total-internal-reflection");
+        return Ok(Query::Some(Box::new(Query::Is(absent))));
+    }
+    if let Some((_, property)) = WORDS.iter().find(|(name, _)| *name == word) {
+        return Ok(Query::Is(property.clone()));
+    }
+    let Some((key, name)) = word.split_once(':').filter(|(_, name)| !name.is_empty()) else {
+        return Err(unknown(at, word));
+    };
+    let pattern = Pattern(name.to_string());
+    Ok(Query::Is(match key {
+        "hits" => Property::Hits(pattern),
+        "material" => Property::Material(pattern),
+        "lit" => Property::Lit(pattern),
+        "blocked" => Property::Blocked(pattern),
+        "absent" => {
+            let reasons = AbsenceReason::VARIANTS;
+            let Some(reason) = reasons.iter().find(|reason| **reason == name) else {
+                let cure = format!("the reasons are: {}", reasons.join(", "));
+                return Err(error(
+                    at,
+                    format!("`{name}` is no reason why a ray is not sent"),
+                    cure,
+                ));
+            };
+            Property::Absent(reason)
+        }
+        "path" => path(name).ok_or_else(|| {
+            error(
+                at,
+                format!("`{word}` is no path"),
+                "write the kinds of rays and an object, such as path:TT>floor",
+            )
+        })?,
+        _ => return Err(unknown(at, word)),
+    }))
+}
+
+/// The path in `TT>floor`.
+fn path(text: &str) -> Option<Property> {
+    let (kinds, object) = text
+        .split_once('>')
+        .filter(|(_, object)| !object.is_empty())?;
+    let kind = |letter| match letter {
+        'L' => Some(RayKind::Light),
+        'R' => Some(RayKind::Reflected),
+        'T' => Some(RayKind::Transmitted),
+        _ => None,
+    };
+    let kinds = kinds.chars().map(kind).collect::<Option<_>>()?;
+    Some(Property::Path(kinds, Pattern(object.to_string())))
+}
+
+/// The quantity that a word names.
+fn quantity(at: usize, word: &str) -> Result<Quantity, QueryError> {
+    if let Some((_, quantity)) = Quantity::PLAIN.into_iter().find(|(name, _)| *name == word) {
+        return Ok(quantity);
+    }
+    let of_light = word.split_once(':').and_then(|(key, light)| {
+        let (_, make) = Quantity::OF_LIGHTS
+            .into_iter()
+            .find(|(name, _)| *name == key)?;
+        Some(make(Pattern(light.to_string())))
+    });
+    of_light.ok_or_else(|| {
+        let plain = Quantity::PLAIN.map(|(name, _)| name.to_string());
+        let of_lights = Quantity::OF_LIGHTS.map(|(name, _)| format!("{name}:LIGHT"));
+        let all = [plain.as_slice(), of_lights.as_slice()].concat();
+        let guess = did_you_mean(word, all.iter().map(String::as_str));
+        let guess = guess.map_or(String::new(), |near| format!("did you mean `{near}`? "));
+        error(
+            at,
+            format!("`{word}` is no quantity"),
+            format!("{guess}there are: {}", all.join(", ")),
+        )
+    })
+}
+
+fn unknown(at: usize, word: &str) -> QueryError {
+    let alone = WORDS.iter().map(|(name, _)| *name).chain(["tir"]);
+    let with_name = NAMED.iter().map(|(name, _)| *name);
+    let quantities = Quantity::PLAIN.map(|(name, _)| name);
+    if quantities.contains(&word) {
+        return error(
+            at,
+            format!("`{word}` is a quantity"),
+            format!("compare it, such as {word} > 1"),
+        );
+    }
+    let key = word.split(':').next().unwrap_or(word);
+    let guess = did_you_mean(key, alone.clone().chain(with_name).chain(quantities));
+    let guess = guess.map_or(String::new(), |near| format!("did you mean `{near}`? "));
+    let examples: Vec<&str> = NAMED.iter().map(|(_, example)| *example).collect();
+    let alone: Vec<&str> = alone.collect();
+    error(
+        at,
+        format!("`{word}` is no property of a ray"),
+        format!(
+            "{guess}there are: {}, {}",
+            alone.join(", "),
+            examples.join(", ")
+        ),
+    )
+}
+
+fn error(at: usize, what: impl Into<String>, cure: impl Into<String>) -> QueryError {
+    QueryError {
+        at,
+        what: what.into(),
+        cure: cure.into(),
+    }
+}
+
+/// The tokens of a text, each with the number of letters before it.
+fn tokens(text: &str) -> Result<Vec<(usize, Token)>, QueryError> {
+    if text.len() > LONGEST {
+        return Err(error(
+            0,
+            "the query is too long",
+            format!("{LONGEST} bytes are allowed"),
+        ));
+    }
+    let letters: Vec<char> = text.chars().collect();
+    let mut tokens = Vec::new();
+    let mut next = 0;
+    while let Some(&letter) = letters.get(next) {
+        let at = next;
+        next += 1;
+        let token = match letter {
+            letter if letter.is_whitespace() => continue,
+            '(' => Token::Open,
+            ')' => Token::Close,
+            '<' | '>' | '=' | '!' => {
+                let equal = letters.get(next) == Some(&'=');
+                next += usize::from(equal && letter != '=');
+                Token::Compare(match (letter, equal) {
+                    ('<', false) => Comparison::Less,
+                    ('<', true) => Comparison::AtMost,
+                    ('>', false) => Comparison::More,
+                    ('>', true) => Comparison::AtLeast,
+                    ('=', _) => Comparison::Equal,
+                    (_, true) => Comparison::Unequal,
+                    (_, false) => {
+                        return Err(error(
+                            at,
+                            "`!` stands alone",
+                            "write `!=`, or `not` before a property",
+                        ));
+                    }
+                })
+            }
+            _ => {
+                let (word, end) = word(&letters, at)?;
+                next = end;
+                Token::Word(word)
+            }
+        };
+        tokens.push((at, token));
+    }
+    Ok(tokens)
+}
+
+/// The word that begins at a letter, without its quotes, and where it ends.
+fn word(letters: &[char], at: usize) -> Result<(String, usize), QueryError> {
+    let (mut word, mut next, mut quoted) = (String::new(), at, false);
+    while let Some(&letter) = letters.get(next) {
+        // The arrow of a path belongs to its word.
+        let is_arrow = letter == '>' && word.starts_with("path:");
+        let ends = letter.is_whitespace() || "()<>=!".contains(letter);
+        if ends && !quoted && !is_arrow {
+            break;
+        }
+        match letter {
+            '"' => quoted = !quoted,
+            letter => word.push(letter),
+        }
+        next += 1;
+    }
+    if quoted {
+        return Err(error(
+            at,
+            "a quotation mark is missing",
+            "write `\"` at the end of the name",
+        ));
+    }
+    Ok((word, next))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(text: &str) -> Query {
+        text.parse().unwrap_or_else(|e| panic!("{text}: {e}"))
+    }
+
+    #[test]
+    fn and_binds_tighter_than_or_and_brackets_change_that() {
+        assert_eq!(
+            parsed("hit or miss and back"),
+            parsed("hit or (miss and back)")
+        );
+        assert_ne!(
+            parsed("hit or miss and back"),
+            parsed("(hit or miss) and back")
+        );
+        assert_eq!(parsed("not hit and miss"), parsed("(not hit) and miss"));
+    }
+
+    #[test]
+    fn spaces_and_quotes_change_nothing() {
+        assert_eq!(parsed("depth>=3"), parsed(" depth  >= 3 "));
+        assert_eq!(
+            parsed("hits:\"a b\""),
+            Query::Is(Property::Hits(Pattern("a b".into())))
+        );
+        let floor = Pattern("floor".into());
+        let kinds = vec![RayKind::Transmitted, RayKind::Reflected];
+        assert_eq!(
+            parsed("path:TR>floor"),
+            Query::Is(Property::Path(kinds, floor))
+        );
+    }
+
+    #[test]
+    fn a_mistake_is_told_with_its_letter_and_a_cure() {
+        for (text, at, words) in [
+            ("", 0, "a property is missing"),
+            ("hit and", 7, "a property is missing"),
+            ("hit miss", 4, "`and` or `or`"),
+            ("hitz:ball", 0, "did you mean `hits`?"),
+            ("depth", 0, "compare it"),
+            ("deph > 1", 0, "did you mean `depth`?"),
+            ("depth > x", 8, "a number is missing"),
+            ("depth > nan", 8, "a number is missing"),
+            ("(hit", 4, "closing bracket"),
+            ("hit !", 4, "`!=`"),
+            ("some hit", 5, "brackets"),
+            ("absent:x", 0, "total-internal-reflection"),
+            ("path:X>y", 0, "path:TT>floor"),
+            ("hits:\"a", 0, "quotation mark"),
+        ] {
+            let error = text.parse::<Query>().expect_err(text);
+            assert_eq!(error.at, at, "{text}: {error}");
+            assert!(error.to_string().contains(words), "{text}: {error}");
+        }
+        let deep = format!("{}hit{}", "(".repeat(900), ")".repeat(900));
+        assert!(deep.parse::<Query>().is_err());
+        assert!("not ".repeat(400).parse::<Query>().is_err());
+        assert!("hit or ".repeat(1000).parse::<Query>().is_err());
+    }
+}

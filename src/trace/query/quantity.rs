@@ -1,0 +1,115 @@
+//! Quantities of a ray that a query compares with a number.
+
+use super::pattern::Pattern;
+use crate::math::Rgb;
+use crate::probe::{Event, Factor, RayKind, Term, TermKind};
+use crate::trace::{Outcome, View};
+
+/// A quantity of a ray.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Quantity {
+    /// The depth of the deepest reflected or transmitted ray that follows from it; 0 for an eye ray without any.
+    Depth,
+    /// The number of rays that follow from it, itself included.
+    Rays,
+    /// The distance to its hit point.
+    T,
+    /// A channel of its radiance: red, green or blue.
+    Channel(usize),
+    /// The luminance of its radiance.
+    Luminance,
+    /// The index of refraction before the surface.
+    N1,
+    /// The index of refraction behind it.
+    N2,
+    /// The share of light that a boundary reflects.
+    Reflectance,
+    /// A factor of the term of a light of such a name, by the factor's name.
+    Factor(&'static str, Pattern),
+    /// The luminance of the diffuse or specular terms of lights of such a name.
+    Terms(TermKind, Pattern),
+}
+
+impl Quantity {
+    /// Names of the quantities without a light's name.
+    pub const PLAIN: [(&'static str, Self); 10] = [
+        ("depth", Self::Depth),
+        ("rays", Self::Rays),
+        ("t", Self::T),
+        ("red", Self::Channel(0)),
+        ("green", Self::Channel(1)),
+        ("blue", Self::Channel(2)),
+        ("luminance", Self::Luminance),
+        ("n1", Self::N1),
+        ("n2", Self::N2),
+        ("reflectance", Self::Reflectance),
+    ];
+
+    /// Names of the quantities that a light's name follows, and how they are made.
+    pub const OF_LIGHTS: [(&'static str, fn(Pattern) -> Self); 4] = [
+        ("n_dot_l", |light| Self::Factor("n_dot_l", light)),
+        ("r_dot_v", |light| Self::Factor("r_dot_v", light)),
+        ("diffuse", |light| Self::Terms(TermKind::Diffuse, light)),
+        ("specular", |light| Self::Terms(TermKind::Specular, light)),
+    ];
+
+    /// The quantity of a node, if it has it.
+    pub fn of(&self, view: View, node: u32) -> Option<f64> {
+        let tree = &view.trace.tree;
+        let this = tree.node(node);
+        let events = || tree.own_events(node).map(|(_, event)| event);
+        match self {
+            Self::Depth => {
+                let subtree = (node..node + this.size).map(|n| tree.node(n).ray);
+                let paths = subtree.filter(|ray| ray.kind != RayKind::Light);
+                paths.map(|ray| f64::from(ray.depth)).reduce(f64::max)
+            }
+            Self::Rays => Some(f64::from(this.size)),
+            Self::T => match this.outcome {
+                Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => Some(hit.t),
+                _ => None,
+            },
+            Self::Channel(channel) => Some(this.radiance.channels()[*channel]),
+            Self::Luminance => Some(this.radiance.luminance()),
+            Self::N1 | Self::N2 | Self::Reflectance => events().find_map(|event| match event {
+                Event::Boundary {
+                    n1,
+                    n2,
+                    reflectance,
+                } => Some(match self {
+                    Self::N1 => *n1,
+                    Self::N2 => *n2,
+                    _ => *reflectance,
+                }),
+                _ => None,
+            }),
+            Self::Factor(name, pattern) => events().find_map(|event| match event {
+                Event::Term { term, light, .. } if pattern.matches(view.light_name(*light)) => {
+                    factor(term, name)
+                }
+                _ => None,
+            }),
+            Self::Terms(kind, pattern) => {
+                let values = events().filter_map(|event| match event {
+                    Event::Term { term, light, .. } => {
+                        let fits = term.kind() == *kind && pattern.matches(view.light_name(*light));
+                        fits.then(|| term.value())
+                    }
+                    _ => None,
+                });
+                let sum = values.reduce(|a, b| a + b);
+                sum.map(Rgb::luminance)
+            }
+        }
+    }
+}
+
+/// A factor of a term that is a number.
+fn factor(term: &Term, wanted: &str) -> Option<f64> {
+    term.factors()
+        .into_iter()
+        .find_map(|(name, factor)| match factor {
+            Factor::Number(number) if name == wanted => Some(number),
+            _ => None,
+        })
+}

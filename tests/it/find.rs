@@ -1,0 +1,173 @@
+//! `raytree find` and its queries: what it finds is what the ray trees say.
+
+use assert_cmd::Command;
+use raytree::accel::AccelKind;
+use raytree::lab::find::find;
+use raytree::probe::{Event, RayKind};
+use raytree::scene::{self, Settings};
+use raytree::trace::{Outcome, PixelTrace, Query, View, trace_pixel};
+use raytree::world::World;
+
+/// A world, settings for a small picture of it, and the trees of all of its pixels.
+fn picture(name: &str) -> (World, Settings, Vec<PixelTrace>) {
+    let world = World::new(scene::load(name).expect("built in"), AccelKind::Bsp);
+    let settings = world.scene.settings.with(|s| {
+        s.image.width = 20;
+        s.image.height = 15;
+    });
+    let pixels = (0..15).flat_map(|y| (0..20).map(move |x| (x, y)));
+    let trees = pixels
+        .map(|at| trace_pixel(&world, &settings, at, false))
+        .collect();
+    (world, settings, trees)
+}
+
+/// The number of pixels that satisfy a query, which must be those of which `expected` is true.
+fn count(
+    (world, settings, trees): &(World, Settings, Vec<PixelTrace>),
+    text: &str,
+    expected: impl Fn(&PixelTrace) -> bool,
+) -> usize {
+    let query: Query = text.parse().expect(text);
+    let mut count = 0;
+    for trace in trees {
+        let view = View {
+            world,
+            settings,
+            trace,
+        };
+        let holds = query.holds(view);
+        assert_eq!(holds, expected(trace), "{text} at {},{}", trace.x, trace.y);
+        count += usize::from(holds);
+    }
+    count
+}
+
+#[test]
+fn queries_say_what_the_trees_say() {
+    let picture = picture("glass-block");
+    let scene = &picture.0.scene;
+    let name_of_hit = |trace: &PixelTrace, node: u32| match trace.tree.node(node).outcome {
+        Some(Outcome::Hit(hit)) => Some(scene.object_of(hit.primitive).name.as_str()),
+        _ => None,
+    };
+    let object = "block";
+    let hits = |t: &PixelTrace| name_of_hit(t, 0) == Some(object);
+    let several = |n: usize| assert!(n > 0 && n < 300, "{n}");
+    several(count(&picture, &format!("hits:\"{object}\""), hits));
+    several(count(&picture, "miss", |t| name_of_hit(t, 0).is_none()));
+    several(count(&picture, "not miss", |t| name_of_hit(t, 0).is_some()));
+
+    let kinds =
+        |t: &PixelTrace, kind| (0..t.tree.node(0).size).any(|n| t.tree.node(n).ray.kind == kind);
+    several(count(&picture, "some(R)", |t| kinds(t, RayKind::Reflected)));
+    several(count(&picture, "some(R) and some(T)", |t| {
+        kinds(t, RayKind::Reflected) && kinds(t, RayKind::Transmitted)
+    }));
+    let deepest = |t: &PixelTrace| {
+        let rays = (0..t.tree.node(0).size).map(|n| t.tree.node(n).ray);
+        let paths = rays.filter(|ray| ray.kind != RayKind::Light);
+        paths.map(|ray| ray.depth).max().unwrap_or(0)
+    };
+    several(count(&picture, "depth >= 3", |t| deepest(t) >= 3));
+    several(count(&picture, "depth>0 and depth<=2", |t| {
+        (1..=2).contains(&deepest(t))
+    }));
+    several(count(&picture, "rays > 4", |t| t.tree.node(0).size > 4));
+    several(count(&picture, "luminance < 0.3", |t| {
+        t.pixel.color.luminance() < 0.3
+    }));
+
+    let absent = |t: &PixelTrace, name: &str| {
+        let mut events = t.tree.events.iter();
+        events.any(|e| matches!(e, Event::Absent { reason, .. } if reason.name() == name))
+    };
+    several(count(&picture, "tir", |t| {
+        absent(t, "total-internal-reflection")
+    }));
+    several(count(&picture, "some(absent:facing-away)", |t| {
+        absent(t, "facing-away")
+    }));
+    let blocked = |t: &PixelTrace| {
+        let mut children = t.tree.children(0);
+        children.any(|c| matches!(t.tree.node(c).outcome, Some(Outcome::Blocked(_))))
+    };
+    several(count(&picture, "blocked:*", blocked));
+    let path = |t: &PixelTrace| {
+        let via = |n: u32| {
+            t.tree
+                .children(n)
+                .find(|c| t.tree.node(*c).ray.kind == RayKind::Transmitted)
+        };
+        via(0)
+            .and_then(via)
+            .is_some_and(|n| name_of_hit(t, n).is_some())
+    };
+    several(count(&picture, "path:TT>*", path));
+}
+
+#[test]
+fn a_search_stops_early_and_is_the_same_for_any_number_of_threads() {
+    let (world, settings, _) = picture("glass-block");
+    let query: Query = "some(R)".parse().expect("a query");
+    let go_on = |_| std::ops::ControlFlow::Continue(());
+    let all = find(&world, &settings, &query, usize::MAX, 1, &go_on);
+    assert!(all.complete && all.searched == 300 && all.pixels.len() > 3);
+    assert_eq!(find(&world, &settings, &query, usize::MAX, 4, &go_on), all);
+    let first = find(&world, &settings, &query, 2, 4, &go_on);
+    assert_eq!(first.pixels, all.pixels[..2]);
+    assert!(!first.complete);
+}
+
+fn raytree(arguments: &str) -> std::process::Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_raytree"));
+    command.args(arguments.split('|'));
+    command.output().expect("it runs")
+}
+
+#[test]
+fn find_lists_pixels_and_says_no_by_its_status() {
+    let found = raytree("find|glass-block|tir|--size|40x30|--first|2");
+    let (lines, told) = (
+        String::from_utf8_lossy(&found.stdout),
+        String::from_utf8_lossy(&found.stderr),
+    );
+    assert_eq!(found.status.code(), Some(0), "{told}");
+    assert_eq!(lines.lines().count(), 2, "{lines}");
+    assert!(
+        told.contains("raytree trace glass-block --size 40x30") && told.contains("--pixel"),
+        "{told}"
+    );
+
+    let json = raytree("find|whitted|hit|--size|8x6|--json");
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    let count = json["count"].as_u64().expect("a number");
+    assert!(
+        count > 0
+            && json["pixels"]
+                .as_array()
+                .is_some_and(|p| p.len() as u64 == count)
+    );
+
+    let none = raytree("find|whitted|depth > 900|--size|8x6");
+    assert_eq!(none.status.code(), Some(4));
+    let wrong = raytree("find|whitted|hitz:ball");
+    let told = String::from_utf8_lossy(&wrong.stderr).into_owned();
+    assert_eq!(wrong.status.code(), Some(2), "{told}");
+    assert!(told.contains("did you mean `hits`?"), "{told}");
+}
+
+#[test]
+fn the_mask_is_white_where_pixels_were_found() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("mask.png");
+    let path = path.to_str().expect("a plain path");
+    let ran = raytree(&format!(
+        "find|triangle|hit|--size|20x15|--mask|{path}|--json"
+    ));
+    let json: serde_json::Value = serde_json::from_slice(&ran.stdout).expect("JSON");
+    let mask = image::open(path).expect("a picture").into_luma8();
+    let white = mask.pixels().filter(|p| p.0[0] == 255).count();
+    assert_eq!(json["count"].as_u64(), Some(white as u64));
+    assert!(white > 0 && white < 300);
+}
