@@ -23,7 +23,7 @@ pub use document::Document;
 pub use explain::{Explanation, explain};
 pub use light_estimate::LightEstimate;
 
-pub use query::Query;
+pub use query::TreeQuery;
 pub use recorder::Recorder;
 pub use surface_hit::SurfaceHit;
 pub use tree::{Node, Outcome, RayTree};

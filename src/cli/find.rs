@@ -10,9 +10,9 @@ use super::command_line::words;
 use super::settings::SceneArgs;
 use super::{Completion, Failure, output};
 use crate::accel::fastest;
-use crate::lab::find::{Found, find};
+use crate::lab::find::{FoundPixels, find};
 use crate::scene::Settings;
-use crate::trace::Query;
+use crate::trace::TreeQuery;
 use crate::tracer::image::png;
 
 /// Pixels that are listed if the user names no number.
@@ -40,7 +40,7 @@ pub struct Find {
     scene: SceneArgs,
     /// What the ray tree of a pixel must satisfy, such as 'hits:ball and not lit:lamp', 'tir', 'some(R and t < 1)'
     #[arg(value_name = "QUERY")]
-    query: Query,
+    query: TreeQuery,
     /// Stop after so many pixels; without, all are counted and ten are listed
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     first: Option<u32>,
@@ -56,7 +56,7 @@ impl Find {
     pub fn run(&self) -> Result<Completion, Failure> {
         let (world, settings) = self.scene.load(fastest)?;
         let most = self.first.map_or(usize::MAX, |n| n as usize);
-        let bar = progress_bar(&settings);
+        let bar = progress_bar(&settings, self.scene.notices.quiet);
         let watch = |pixels| {
             bar.inc(pixels);
             ControlFlow::Continue(())
@@ -81,16 +81,17 @@ impl Find {
     }
 
     /// The pixels on standard output, and on standard error how many there are; `scene` is the scene with its settings.
-    fn write_text(&self, found: &Found, scene: &str) -> Result<Completion, Failure> {
-        let listed = &found.pixels[..found
-            .pixels
-            .len()
-            .min(self.first.map_or(LISTED, |n| n as usize))];
+    fn write_text(&self, found: &FoundPixels, scene: &str) -> Result<Completion, Failure> {
+        let wanted = self.first.map_or(LISTED, |n| n as usize);
+        let listed = &found.pixels[..wanted.min(found.pixels.len())];
         output::write(None, |out| {
             listed
                 .iter()
                 .try_for_each(|(x, y)| writeln!(out, "{x},{y}"))
         })?;
+        if self.scene.notices.quiet {
+            return Ok(Completion::Whole);
+        }
         let (count, searched) = (found.pixels.len(), found.searched);
         let more = match count - listed.len() {
             0 => "",
@@ -106,7 +107,7 @@ impl Find {
         Ok(Completion::Whole)
     }
 
-    fn write_json(&self, settings: &Settings, found: &Found) -> Result<Completion, Failure> {
+    fn write_json(&self, settings: &Settings, found: &FoundPixels) -> Result<Completion, Failure> {
         let (width, height) = settings.size();
         let json = serde_json::json!({
             "format": "raytree-find/1",
@@ -122,7 +123,11 @@ impl Find {
 }
 
 /// Writes the pixels that were found in white on black.
-fn write_mask(path: &Path, settings: &Settings, found: &Found) -> Result<Completion, Failure> {
+fn write_mask(
+    path: &Path,
+    settings: &Settings,
+    found: &FoundPixels,
+) -> Result<Completion, Failure> {
     let (width, height) = settings.size();
     let mut bytes = vec![0; width as usize * height as usize];
     for (x, y) in &found.pixels {
@@ -133,7 +138,10 @@ fn write_mask(path: &Path, settings: &Settings, found: &Found) -> Result<Complet
 }
 
 /// A bar on standard error, hidden where that is no terminal.
-fn progress_bar(settings: &Settings) -> ProgressBar {
+fn progress_bar(settings: &Settings, quiet: bool) -> ProgressBar {
+    if quiet {
+        return ProgressBar::hidden();
+    }
     let (width, height) = settings.size();
     let pixels = u64::from(width) * u64::from(height);
     let bar = ProgressBar::with_draw_target(Some(pixels), ProgressDrawTarget::stderr());

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use rayon::prelude::*;
 
 use crate::scene::Settings;
-use crate::trace::{Query, View, trace_pixel_here};
+use crate::trace::{TreeQuery, View, trace_pixel_here};
 use crate::tracer::thread_pool;
 use crate::world::World;
 
@@ -14,7 +14,7 @@ const ROWS: u32 = 8;
 
 /// Outcome of a search.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Found {
+pub struct FoundPixels {
     /// The pixels that satisfy the query, row after row.
     pub pixels: Vec<(u32, u32)>,
     /// Pixels that were searched, row after row from the first.
@@ -28,11 +28,11 @@ pub struct Found {
 pub fn find(
     world: &World,
     settings: &Settings,
-    query: &Query,
+    query: &TreeQuery,
     most: usize,
     threads: usize,
     watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
-) -> Found {
+) -> FoundPixels {
     let (width, height) = settings.size();
     let satisfies = |at: &(u32, u32)| {
         let trace = trace_pixel_here(world, settings, *at, false);
@@ -42,7 +42,7 @@ pub fn find(
             trace: &trace,
         })
     };
-    let mut found = Found {
+    let mut found = FoundPixels {
         pixels: Vec::new(),
         searched: 0,
         complete: false,

@@ -72,6 +72,8 @@ pub enum WarningCode {
     MixedWinding,
     /// A transparent body that is open.
     OpenBody,
+    /// Transparent objects of equal priority that overlap in part.
+    EqualPriority,
     /// An eye inside of something opaque, with all light outside.
     EyeInside,
     /// A lamp inside of something opaque.

@@ -16,28 +16,30 @@
 //!
 //! A name may hold `*` for any letters, and stands in double quotes if it holds spaces or brackets.
 
+mod error;
 mod parse;
 mod pattern;
 mod quantity;
+mod token;
 
 use crate::probe::{Event, RayKind};
 use crate::trace::{Outcome, View};
 use pattern::Pattern;
 use quantity::Quantity;
 
-pub use parse::QueryError;
+pub use error::QueryError;
 
 /// A query, made from its text with [`str::parse`].
 #[derive(Clone, Debug, PartialEq)]
-pub enum Query {
+pub enum TreeQuery {
     /// Both.
-    And(Box<Query>, Box<Query>),
+    And(Box<TreeQuery>, Box<TreeQuery>),
     /// One of the two, or both.
-    Or(Box<Query>, Box<Query>),
+    Or(Box<TreeQuery>, Box<TreeQuery>),
     /// The contrary.
-    Not(Box<Query>),
+    Not(Box<TreeQuery>),
     /// True of the ray, or of a ray that follows from it.
-    Some(Box<Query>),
+    Some(Box<TreeQuery>),
     /// A property.
     Is(Property),
     /// A quantity beside a number; false where the ray has no such quantity.
@@ -86,7 +88,7 @@ pub enum Comparison {
     Unequal,
 }
 
-impl Query {
+impl TreeQuery {
     /// True if the eye ray of one of the pixel's samples satisfies the query.
     pub fn holds(&self, view: View) -> bool {
         let mut roots = view.trace.tree.samples.iter().filter_map(|s| s.root);

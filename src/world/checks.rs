@@ -4,10 +4,12 @@
 
 mod bodies;
 mod inside;
+mod overlap;
 mod reach;
 mod view;
 
 use super::World;
+use crate::geometry::{Aabb, Shape};
 use crate::scene::error::FieldPath;
 use crate::scene::warning::Warnings;
 use crate::scene::{Effect, Settings, Warning};
@@ -28,6 +30,7 @@ pub fn warnings(world: &World, settings: &Settings, label: &str) -> Vec<Warning>
     };
     let mut found = Warnings::default();
     bodies::check(&checked, &mut found);
+    overlap::check(&checked, &mut found);
     view::check(&checked, &mut found);
     inside::eye(&checked, &mut found);
     // Without shadows nothing is in the way of light.
@@ -37,4 +40,10 @@ pub fn warnings(world: &World, settings: &Settings, label: &str) -> Vec<Warning>
     }
     reach::cones(&checked, &mut found);
     found.into_list(label)
+}
+
+/// A box around shapes; `None` if one has no end.
+fn bounds(shapes: &[Shape]) -> Option<Aabb> {
+    let mut boxes = shapes.iter().map(Shape::bounds);
+    boxes.try_fold(Aabb::EMPTY, |all, next| Some(all.union(next?)))
 }

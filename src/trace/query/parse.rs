@@ -1,18 +1,16 @@
 //! Parser of queries: recursive descent over the grammar in [`super`].
 
-use std::fmt;
 use std::str::FromStr;
 
 use strum::VariantNames;
 
+use super::error::{QueryError, error};
 use super::pattern::Pattern;
 use super::quantity::Quantity;
-use super::{Comparison, Property, Query};
+use super::token::{Token, tokens};
+use super::{Property, TreeQuery};
 use crate::probe::{AbsenceReason, RayKind};
 use crate::scene::read::did_you_mean::did_you_mean;
-
-/// Bytes of a query at most.
-const LONGEST: usize = 2000;
 
 /// Brackets inside of each other, and `not` before `not`, at most.
 const DEEPEST: u32 = 50;
@@ -38,26 +36,7 @@ const NAMED: [(&str, &str); 6] = [
     ("path", "path:TT>floor"),
 ];
 
-/// Why a text is no query.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct QueryError {
-    /// The number of letters before the mistake.
-    pub at: usize,
-    /// What is wrong.
-    pub what: String,
-    /// What to do.
-    pub cure: String,
-}
-
-impl fmt::Display for QueryError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "letter {}: {}; {}", self.at + 1, self.what, self.cure)
-    }
-}
-
-impl std::error::Error for QueryError {}
-
-impl FromStr for Query {
+impl FromStr for TreeQuery {
     type Err = QueryError;
 
     fn from_str(text: &str) -> Result<Self, QueryError> {
@@ -78,14 +57,6 @@ impl FromStr for Query {
     }
 }
 
-#[derive(Clone, Debug, PartialEq)]
-enum Token {
-    Open,
-    Close,
-    Compare(Comparison),
-    Word(String),
-}
-
 struct Parser {
     /// Each with the number of letters before it.
     tokens: Vec<(usize, Token)>,
@@ -94,29 +65,29 @@ struct Parser {
 }
 
 impl Parser {
-    fn any(&mut self, depth: u32) -> Result<Query, QueryError> {
+    fn any(&mut self, depth: u32) -> Result<TreeQuery, QueryError> {
         let mut query = self.all(depth)?;
         while self.take_word("or") {
-            query = Query::Or(Box::new(query), Box::new(self.all(depth)?));
+            query = TreeQuery::Or(Box::new(query), Box::new(self.all(depth)?));
         }
         Ok(query)
     }
 
-    fn all(&mut self, depth: u32) -> Result<Query, QueryError> {
+    fn all(&mut self, depth: u32) -> Result<TreeQuery, QueryError> {
         let mut query = self.part(depth)?;
         while self.take_word("and") {
-            query = Query::And(Box::new(query), Box::new(self.part(depth)?));
+            query = TreeQuery::And(Box::new(query), Box::new(self.part(depth)?));
         }
         Ok(query)
     }
 
-    fn part(&mut self, depth: u32) -> Result<Query, QueryError> {
+    fn part(&mut self, depth: u32) -> Result<TreeQuery, QueryError> {
         let at = self.at();
         if depth > DEEPEST {
             return Err(error(at, "it is nested too deeply", "use fewer brackets"));
         }
         if self.take_word("not") {
-            return Ok(Query::Not(Box::new(self.part(depth + 1)?)));
+            return Ok(TreeQuery::Not(Box::new(self.part(depth + 1)?)));
         }
         if self.take_word("some") {
             if !self.take(&Token::Open) {
@@ -126,7 +97,7 @@ impl Parser {
                     "write some(R and t < 1)",
                 ));
             }
-            return Ok(Query::Some(Box::new(self.inside(depth)?)));
+            return Ok(TreeQuery::Some(Box::new(self.inside(depth)?)));
         }
         if self.take(&Token::Open) {
             return self.inside(depth);
@@ -141,7 +112,7 @@ impl Parser {
         self.next += 1;
         if let Some((_, Token::Compare(comparison))) = self.tokens.get(self.next).cloned() {
             self.next += 1;
-            return Ok(Query::Compare(
+            return Ok(TreeQuery::Compare(
                 quantity(at, &word)?,
                 comparison,
                 self.number()?,
@@ -151,7 +122,7 @@ impl Parser {
     }
 
     /// What stands before a closing bracket.
-    fn inside(&mut self, depth: u32) -> Result<Query, QueryError> {
+    fn inside(&mut self, depth: u32) -> Result<TreeQuery, QueryError> {
         let query = self.any(depth + 1)?;
         if self.take(&Token::Close) {
             return Ok(query);
@@ -189,19 +160,19 @@ impl Parser {
 }
 
 /// The property that a word names.
-fn property(at: usize, word: &str) -> Result<Query, QueryError> {
+fn property(at: usize, word: &str) -> Result<TreeQuery, QueryError> {
     if word == "tir" {
         let absent = Property::Absent("total-internal-reflection");
-        return Ok(Query::Some(Box::new(Query::Is(absent))));
+        return Ok(TreeQuery::Some(Box::new(TreeQuery::Is(absent))));
     }
     if let Some((_, property)) = WORDS.iter().find(|(name, _)| *name == word) {
-        return Ok(Query::Is(property.clone()));
+        return Ok(TreeQuery::Is(property.clone()));
     }
     let Some((key, name)) = word.split_once(':').filter(|(_, name)| !name.is_empty()) else {
         return Err(unknown(at, word));
     };
     let pattern = Pattern(name.to_string());
-    Ok(Query::Is(match key {
+    Ok(TreeQuery::Is(match key {
         "hits" => Property::Hits(pattern),
         "material" => Property::Material(pattern),
         "lit" => Property::Lit(pattern),
@@ -281,7 +252,11 @@ fn unknown(at: usize, word: &str) -> QueryError {
         );
     }
     let key = word.split(':').next().unwrap_or(word);
-    let guess = did_you_mean(key, alone.clone().chain(with_name).chain(quantities));
+    let guess = if word.contains(':') {
+        did_you_mean(key, with_name)
+    } else {
+        did_you_mean(key, alone.clone().chain(with_name).chain(quantities))
+    };
     let guess = guess.map_or(String::new(), |near| format!("did you mean `{near}`? "));
     let examples: Vec<&str> = NAMED.iter().map(|(_, example)| *example).collect();
     let alone: Vec<&str> = alone.collect();
@@ -296,94 +271,11 @@ fn unknown(at: usize, word: &str) -> QueryError {
     )
 }
 
-fn error(at: usize, what: impl Into<String>, cure: impl Into<String>) -> QueryError {
-    QueryError {
-        at,
-        what: what.into(),
-        cure: cure.into(),
-    }
-}
-
-/// The tokens of a text, each with the number of letters before it.
-fn tokens(text: &str) -> Result<Vec<(usize, Token)>, QueryError> {
-    if text.len() > LONGEST {
-        return Err(error(
-            0,
-            "the query is too long",
-            format!("{LONGEST} bytes are allowed"),
-        ));
-    }
-    let letters: Vec<char> = text.chars().collect();
-    let mut tokens = Vec::new();
-    let mut next = 0;
-    while let Some(&letter) = letters.get(next) {
-        let at = next;
-        next += 1;
-        let token = match letter {
-            letter if letter.is_whitespace() => continue,
-            '(' => Token::Open,
-            ')' => Token::Close,
-            '<' | '>' | '=' | '!' => {
-                let equal = letters.get(next) == Some(&'=');
-                next += usize::from(equal && letter != '=');
-                Token::Compare(match (letter, equal) {
-                    ('<', false) => Comparison::Less,
-                    ('<', true) => Comparison::AtMost,
-                    ('>', false) => Comparison::More,
-                    ('>', true) => Comparison::AtLeast,
-                    ('=', _) => Comparison::Equal,
-                    (_, true) => Comparison::Unequal,
-                    (_, false) => {
-                        return Err(error(
-                            at,
-                            "`!` stands alone",
-                            "write `!=`, or `not` before a property",
-                        ));
-                    }
-                })
-            }
-            _ => {
-                let (word, end) = word(&letters, at)?;
-                next = end;
-                Token::Word(word)
-            }
-        };
-        tokens.push((at, token));
-    }
-    Ok(tokens)
-}
-
-/// The word that begins at a letter, without its quotes, and where it ends.
-fn word(letters: &[char], at: usize) -> Result<(String, usize), QueryError> {
-    let (mut word, mut next, mut quoted) = (String::new(), at, false);
-    while let Some(&letter) = letters.get(next) {
-        // The arrow of a path belongs to its word.
-        let is_arrow = letter == '>' && word.starts_with("path:");
-        let ends = letter.is_whitespace() || "()<>=!".contains(letter);
-        if ends && !quoted && !is_arrow {
-            break;
-        }
-        match letter {
-            '"' => quoted = !quoted,
-            letter => word.push(letter),
-        }
-        next += 1;
-    }
-    if quoted {
-        return Err(error(
-            at,
-            "a quotation mark is missing",
-            "write `\"` at the end of the name",
-        ));
-    }
-    Ok((word, next))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn parsed(text: &str) -> Query {
+    fn parsed(text: &str) -> TreeQuery {
         text.parse().unwrap_or_else(|e| panic!("{text}: {e}"))
     }
 
@@ -405,13 +297,13 @@ mod tests {
         assert_eq!(parsed("depth>=3"), parsed(" depth  >= 3 "));
         assert_eq!(
             parsed("hits:\"a b\""),
-            Query::Is(Property::Hits(Pattern("a b".into())))
+            TreeQuery::Is(Property::Hits(Pattern("a b".into())))
         );
         let floor = Pattern("floor".into());
         let kinds = vec![RayKind::Transmitted, RayKind::Reflected];
         assert_eq!(
             parsed("path:TR>floor"),
-            Query::Is(Property::Path(kinds, floor))
+            TreeQuery::Is(Property::Path(kinds, floor))
         );
     }
 
@@ -433,13 +325,13 @@ mod tests {
             ("path:X>y", 0, "path:TT>floor"),
             ("hits:\"a", 0, "quotation mark"),
         ] {
-            let error = text.parse::<Query>().expect_err(text);
+            let error = text.parse::<TreeQuery>().expect_err(text);
             assert_eq!(error.at, at, "{text}: {error}");
             assert!(error.to_string().contains(words), "{text}: {error}");
         }
         let deep = format!("{}hit{}", "(".repeat(900), ")".repeat(900));
-        assert!(deep.parse::<Query>().is_err());
-        assert!("not ".repeat(400).parse::<Query>().is_err());
-        assert!("hit or ".repeat(1000).parse::<Query>().is_err());
+        assert!(deep.parse::<TreeQuery>().is_err());
+        assert!("not ".repeat(400).parse::<TreeQuery>().is_err());
+        assert!("hit or ".repeat(1000).parse::<TreeQuery>().is_err());
     }
 }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::Checked;
-use crate::geometry::{Aabb, Shape, Shear};
+use super::{Checked, bounds};
+use crate::geometry::Shear;
 use crate::math::{DVec3, Interval, Ray};
 use crate::scene::warning::{WarningCode, Warnings};
 use crate::world::World;
@@ -110,10 +110,4 @@ fn opaque_around(world: &World, point: DVec3) -> Vec<u32> {
         .map(|(object, _)| object)
         .filter(|object| opaque(object) && is_closed(scene.shapes_of(*object)))
         .collect()
-}
-
-/// A box around shapes; `None` if one has no end.
-fn bounds(shapes: &[Shape]) -> Option<Aabb> {
-    let mut boxes = shapes.iter().map(Shape::bounds);
-    boxes.try_fold(Aabb::EMPTY, |all, next| Some(all.union(next?)))
 }

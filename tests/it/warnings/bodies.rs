@@ -228,3 +228,29 @@ f 3 4 2 1\nf 6 8 7 5\nf 2 6 5 1\nf 7 8 4 3\nf 5 7 3 1\nf 4 8 6 2\n";
     let scene = load_from_memory("a.json", files.into()).expect("a scene");
     one(&all(scene), "inside-out", &["`block`"]);
 }
+
+/// Two balls of glass and water at these places of the x axis, with these radii, and a priority of the glass.
+fn balls(at: [f64; 2], radii: [f64; 2], priority: i32) -> String {
+    let ([a, b], [r, s]) = (at, radii);
+    file(&format!(
+        r#""materials": {{"glass": {{"diffuse": [0.1, 0.1, 0.1], "transmission": [0.9, 0.9, 0.9], "ior": 1.5, "priority": {priority}}},
+"water": {{"diffuse": [0.1, 0.1, 0.1], "transmission": [0.9, 0.9, 0.9], "ior": 1.33}}}}, "objects": [
+{{"sphere": {{"name": "a", "material": "glass", "center": [{a}, 0, 0], "radius": {r}}}}},
+{{"sphere": {{"name": "b", "material": "water", "center": [{b}, 0, 0], "radius": {s}}}}}]"#
+    ))
+}
+
+#[test]
+fn equal_priorities_where_bodies_overlap_in_part() {
+    let words = ["`a` and `b`", "priority"];
+    for (at, radii) in [([-0.4, 0.4], [0.6, 0.6]), ([0.0, 0.5], [0.6, 0.3])] {
+        warns(&balls(at, radii, 0), "equal-priority", &words);
+        silent(&balls(at, radii, 1));
+    }
+    // One inside of the other, two in the same place, and two apart.
+    silent(&balls([0.0, 0.1], [0.6, 0.3], 0));
+    silent(&balls([0.0, 0.0], [0.6, 0.6], 0));
+    silent(&balls([-0.5, 0.5], [0.3, 0.3], 0));
+    // All of one material: whichever it is, light is bent alike.
+    silent(&balls([-0.4, 0.4], [0.6, 0.6], 0).replace("\"water\",", "\"glass\","));
+}
