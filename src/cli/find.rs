@@ -1,12 +1,13 @@
 //! `raytree find`: the pixels whose ray trees satisfy a query.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::command_line::words;
+use super::output::{Destination, Target};
 use super::settings::SceneArgs;
 use super::{Completion, Failure, output};
 use crate::accel::fastest;
@@ -54,7 +55,14 @@ pub struct Find {
 
 impl Find {
     pub fn run(&self) -> Result<Completion, Failure> {
-        let (world, settings) = self.scene.load(fastest)?;
+        let scene = self.scene.read()?;
+        let target = Target {
+            flag: "--mask",
+            path: self.mask.as_deref(),
+            endings: &["png"],
+        };
+        let [mask] = output::open(&scene.files, [target])?;
+        let (world, settings) = self.scene.build(scene, fastest)?;
         let most = self.first.map_or(usize::MAX, |n| n as usize);
         let bar = progress_bar(&settings, self.scene.notices.quiet);
         let watch = |pixels| {
@@ -64,8 +72,8 @@ impl Find {
         let threads = self.scene.settings.threads;
         let found = find(&world, &settings, &self.query, most, threads, &watch);
         bar.finish_and_clear();
-        if let Some(path) = &self.mask {
-            write_mask(path, &settings, &found)?;
+        if let Some(mask) = mask {
+            write_mask(mask, &settings, &found)?;
         }
         if self.json {
             self.write_json(&settings, &found)?;
@@ -84,7 +92,7 @@ impl Find {
     fn write_text(&self, found: &FoundPixels, scene: &str) -> Result<Completion, Failure> {
         let wanted = self.first.map_or(LISTED, |n| n as usize);
         let listed = &found.pixels[..wanted.min(found.pixels.len())];
-        output::write(None, |out| {
+        output::to_stdout_by(|out| {
             listed
                 .iter()
                 .try_for_each(|(x, y)| writeln!(out, "{x},{y}"))
@@ -123,18 +131,14 @@ impl Find {
 }
 
 /// Writes the pixels that were found in white on black.
-fn write_mask(
-    path: &Path,
-    settings: &Settings,
-    found: &FoundPixels,
-) -> Result<Completion, Failure> {
+fn write_mask(to: Destination, settings: &Settings, found: &FoundPixels) -> Result<(), Failure> {
     let (width, height) = settings.size();
     let mut bytes = vec![0; width as usize * height as usize];
     for (x, y) in &found.pixels {
         bytes[*y as usize * width as usize + *x as usize] = 255;
     }
     let png = png::encode_grey(width, height, &bytes).map_err(std::io::Error::other);
-    output::write(Some(path), |out| out.write_all(&png?))
+    to.write(|out| out.write_all(&png?))
 }
 
 /// A bar on standard error, hidden where that is no terminal.
