@@ -220,15 +220,12 @@ fn quantity(at: usize, word: &str) -> Result<Quantity, QueryError> {
     if let Some((_, quantity)) = Quantity::PLAIN.into_iter().find(|(name, _)| *name == word) {
         return Ok(quantity);
     }
-    let of_light = word.split_once(':').and_then(|(key, light)| {
-        let (_, make) = Quantity::OF_LIGHTS
-            .into_iter()
-            .find(|(name, _)| *name == key)?;
-        Some(make(Pattern(light.to_string())))
-    });
+    let of_light = word.split_once(':');
+    let of_light =
+        of_light.and_then(|(key, light)| Quantity::of_light(key, Pattern(light.to_string())));
     of_light.ok_or_else(|| {
         let plain = Quantity::PLAIN.map(|(name, _)| name.to_string());
-        let of_lights = Quantity::OF_LIGHTS.map(|(name, _)| format!("{name}:LIGHT"));
+        let of_lights = Quantity::OF_LIGHTS.map(|name| format!("{name}:LIGHT"));
         let all = [plain.as_slice(), of_lights.as_slice()].concat();
         let guess = did_you_mean(word, all.iter().map(String::as_str));
         let guess = guess.map_or(String::new(), |near| format!("did you mean `{near}`? "));

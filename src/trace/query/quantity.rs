@@ -45,13 +45,19 @@ impl Quantity {
         ("reflectance", Self::Reflectance),
     ];
 
-    /// Names of the quantities that a light's name follows, and how they are made.
-    pub const OF_LIGHTS: [(&'static str, fn(Pattern) -> Self); 4] = [
-        ("n_dot_l", |light| Self::Factor("n_dot_l", light)),
-        ("r_dot_v", |light| Self::Factor("r_dot_v", light)),
-        ("diffuse", |light| Self::Terms(TermKind::Diffuse, light)),
-        ("specular", |light| Self::Terms(TermKind::Specular, light)),
-    ];
+    /// Names of the quantities that a light's name follows.
+    pub const OF_LIGHTS: [&'static str; 4] = ["n_dot_l", "r_dot_v", "diffuse", "specular"];
+
+    /// The quantity of lights of such a name; `None` if `name` is none of [`Self::OF_LIGHTS`].
+    pub fn of_light(name: &str, light: Pattern) -> Option<Self> {
+        match name {
+            "n_dot_l" => Some(Self::Factor("n_dot_l", light)),
+            "r_dot_v" => Some(Self::Factor("r_dot_v", light)),
+            "diffuse" => Some(Self::Terms(TermKind::Diffuse, light)),
+            "specular" => Some(Self::Terms(TermKind::Specular, light)),
+            _ => None,
+        }
+    }
 
     /// The quantity of a node, if it has it.
     pub fn of(&self, view: View, node: u32) -> Option<f64> {
