@@ -68,7 +68,8 @@ const VALUES: [&str; 40] = [
 #[test]
 fn whatever_a_flag_is_given_there_is_one_clear_answer() {
     let folder = tempfile::tempdir().expect("a folder");
-    let picture = folder.path().join("a.png").display().to_string();
+    let [picture, tree] =
+        ["a.png", "a.json"].map(|name| folder.path().join(name).display().to_string());
     let many = std::env::var_os("RAYTREE_FUZZ").is_some();
     let (mut taken, mut refused) = (0, 0);
     for number in 0..if many { 2000 } else { 80 } {
@@ -78,13 +79,9 @@ fn whatever_a_flag_is_given_there_is_one_clear_answer() {
         let given = format!("{flag}={value}");
         let mut command = Command::new(env!("CARGO_BIN_EXE_raytree"));
         match flag {
-            "--pixel" => {
-                command.args(["trace", "triangle", "--size", "2x2", "-o", &picture, &given])
-            }
+            "--pixel" => command.args(["trace", "triangle", "--size", "2x2", "-o", &tree, &given]),
             // A large picture is no mistake, but a long wait.
-            "--size" => command.args([
-                "trace", "triangle", "--pixel", "0,0", "-o", &picture, &given,
-            ]),
+            "--size" => command.args(["trace", "triangle", "--pixel", "0,0", "-o", &tree, &given]),
             _ => command.args([
                 "render", "triangle", "--size", "2x2", "-o", &picture, &given,
             ]),
