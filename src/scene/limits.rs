@@ -15,7 +15,7 @@ pub const MAX_GROUP_DEPTH: usize = 32;
 pub const MAX_NESTING: usize = 127;
 /// Bytes of a name.
 pub const MAX_NAME_BYTES: usize = 200;
-/// Corners of one polygon of an OBJ file: cutting it into triangles takes time that grows with their square.
+/// Corners of a face of an OBJ file that is not convex: cutting it into triangles takes time that grows with their square.
 pub const MAX_CORNERS: usize = 1000;
 /// Warnings that a scene keeps; further ones are counted.
 pub const MAX_WARNINGS: usize = 20;
@@ -86,9 +86,9 @@ pub fn table() -> Vec<[String; 3]> {
             REFUSED,
         ),
         (
-            "corners of a face in an OBJ file",
+            "corners of a face in an OBJ file that is not convex",
             MAX_CORNERS.to_string(),
-            REFUSED,
+            "its triangles are a guess, with a warning",
         ),
         ("lights", MAX_LIGHTS.to_string(), REFUSED),
         (

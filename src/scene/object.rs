@@ -1,5 +1,7 @@
 //! Objects of a scene, and the normals and texture coordinates of meshes.
 
+use std::sync::Arc;
+
 use crate::math::{DVec2, DVec3};
 
 /// Object: a named part of the scene with one material and one or many primitives.
@@ -23,12 +25,12 @@ pub struct Object {
 pub struct VertexData {
     /// Per triangle of the object: the three indices into `normals`. Empty for a flat mesh.
     pub normal_indices: Vec<[u32; 3]>,
-    /// Unit normals in world space.
-    pub normals: Vec<DVec3>,
+    /// Unit normals in world space. The parts of a model share theirs.
+    pub normals: Arc<Vec<DVec3>>,
     /// Per triangle of the object: the three indices into `uvs`. Empty if it has none.
     pub uv_indices: Vec<[u32; 3]>,
-    /// Texture coordinates.
-    pub uvs: Vec<DVec2>,
+    /// Texture coordinates, shared likewise.
+    pub uvs: Arc<Vec<DVec2>>,
 }
 
 impl Object {

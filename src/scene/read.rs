@@ -8,5 +8,7 @@ pub mod error;
 pub mod file;
 pub mod files;
 mod mesh;
+mod notes;
 mod obj;
 pub mod resolve;
+mod text;

@@ -80,6 +80,40 @@ pub enum WarningCode {
     LampInside,
     /// A camera that sees no object.
     NothingInView,
+    /// Bytes of a file that are no UTF-8 text.
+    NotUtf8,
+    /// A face that crosses itself, or has too many corners, so that its triangles are a guess.
+    GuessedFace,
+    /// A corner of a face that names texture coordinates or a normal that are not there.
+    DanglingIndex,
+    /// Texture coordinates, a normal or a weight that are no usable numbers.
+    BadVertexData,
+    /// Colours of points, which are not drawn.
+    VertexColors,
+    /// Faces in a smoothing group that have no normals.
+    SmoothingGroup,
+    /// Statements of a model or of its materials that are not read.
+    LeftOut,
+    /// `usemtl` without a name.
+    NoMaterialName,
+    /// The path of a file of materials that leads elsewhere, where one of that name lies beside the model.
+    LibraryPath,
+    /// A line about a material that cannot be read.
+    UnreadLine,
+    /// A number of a material beyond its range.
+    Clamped,
+    /// A picture on a surface, which is not drawn.
+    Texture,
+    /// A material whose `d` and `Tr` contradict each other.
+    OpacityConflict,
+    /// A material that is wholly transparent.
+    Invisible,
+    /// A colour of transmission in a material that is opaque.
+    OpaqueFilter,
+    /// More numbers than are read, or an option beside them.
+    ExtraNumbers,
+    /// A name in a model that is too long to be shown, or has control characters.
+    ChangedName,
     /// More kinds of warnings than are kept.
     MoreWarnings,
 }

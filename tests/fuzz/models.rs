@@ -49,7 +49,7 @@ const INDICES: [&str; 16] = [
 /// The text of an OBJ file.
 pub fn obj(dice: &mut Dice) -> String {
     let wrong = [20, 300, 1_000_000, 1_000_000][dice.below(4)];
-    let end = dice.pick(&["\n", "\n", "\n", "\r\n", " \n", "\n\n"]);
+    let end = dice.pick(&["\n", "\n", "\n", "\r\n", " \n", "\n\n", "\r", " # end\n"]);
     let mut counts = [0; 3];
     let mut text = String::new();
     for _ in 0..dice.below(4) + dice.few(60) {
@@ -105,6 +105,8 @@ fn line(dice: &mut Dice, wrong: usize, counts: &mut [usize; 3]) -> String {
                 "mtllib ../x.mtl",
                 "mtllib /etc/passwd",
                 "v 1 2 \\",
+                "mtllib .\\x.mtl",
+                "mtllib y.mtl x.mtl",
                 "f",
                 "f 1 2 \\",
                 "usemtl",
@@ -121,6 +123,11 @@ fn line(dice: &mut Dice, wrong: usize, counts: &mut [usize; 3]) -> String {
                 "",
                 "v 0 0 0 2",
                 "v 1 0 0 1 0 0",
+                "v 1 0 \\\n0",
+                "vt 0.5",
+                "vn 0 0 0",
+                "s 1",
+                "curv 0 1 1 2",
             ])
             .to_string(),
     }
@@ -167,10 +174,10 @@ pub fn mtl(dice: &mut Dice) -> String {
         );
         for _ in 0..dice.few(10) {
             let key = dice.pick(&[
-                "Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum", "map_Kd", "Tf",
+                "Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum", "map_Kd", "Tf", "Pr",
             ]);
             let size = match key {
-                "Ka" | "Kd" | "Ks" | "Ke" => 3,
+                "Ka" | "Kd" | "Ks" | "Ke" | "Tf" => 3,
                 _ => 1,
             };
             let size = if dice.one_in(wrong) {
@@ -182,6 +189,8 @@ pub fn mtl(dice: &mut Dice) -> String {
                 .map(|_| {
                     if dice.one_in(wrong) {
                         dice.pick(&NUMBERS).to_string()
+                    } else if key == "illum" {
+                        dice.below(11).to_string()
                     } else {
                         format!("{:.2}", dice.between(0.1, 1.0))
                     }

@@ -20,6 +20,7 @@ mod cli;
 mod cost;
 mod document;
 mod effects;
+mod exporters;
 mod find;
 mod formula_edges;
 mod glass_slab;

@@ -48,11 +48,11 @@ fn case_087_a_colour_of_one_or_two_numbers() {
         let mtl = format!("newmtl a\n{line}\n");
         let obj = format!("mtllib x.mtl\nusemtl a\n{FACE}");
         let files = [("m.obj", obj.as_bytes()), ("x.mtl", mtl.as_bytes())];
-        refused(
-            read(&files),
-            "x.mtl:2: ",
-            &["three numbers", &format!("has {count}")],
-        );
+        let scene = read(&files).expect("a bad line never stops a model");
+        let told = scene.warnings.iter().map(ToString::to_string);
+        let told: Vec<String> = told.filter(|told| told.starts_with("x.mtl:2: ")).collect();
+        // One number stands for three (the specification).
+        assert_eq!(told.len(), usize::from(count != 1), "{line}: {told:?}");
     }
 }
 
@@ -108,15 +108,11 @@ fn case_090_faces_of_one_and_two_corners() {
     assert!(
         scene.warnings[0]
             .to_string()
-            .starts_with("m.obj:4: 2 faces"),
+            .starts_with("m.obj:4: a face has fewer than three corners"),
         "{:?}",
         scene.warnings
     );
-    refused(
-        model(&format!("{CORNERS}f\n")),
-        "m.obj:4: ",
-        &["no corners"],
-    );
+    refused(model(&format!("{CORNERS}f\n")), "m.obj: ", &["no face"]);
     refused(model(&format!("{CORNERS}f 1 2\n")), "m.obj: ", &["no face"]);
 }
 
@@ -171,10 +167,11 @@ fn case_092_paths_that_lead_out_of_the_folder() {
         "\0x.mtl",
     ] {
         let cure = "copy the file into the folder";
-        refused(
-            model(&format!("mtllib {path}\nusemtl a\n{FACE}")),
-            "m.obj:1: ",
-            &[cure],
+        let grey = model(&format!("mtllib {path}\nusemtl a\n{FACE}")).expect("drawn without");
+        let told = grey.warnings[0].to_string();
+        assert!(
+            told.starts_with("m.obj:1: ") && grey.warnings.len() == 2,
+            "{told}"
         );
         let path = path.replace('\\', "\\\\").replace('\0', "\\u0000");
         let object = format!(r#""objects": [{{"obj": {{"name": "m", "file": "{path}"}}}}]"#);
@@ -195,11 +192,13 @@ fn case_093_a_link_out_of_the_folder() {
     .expect("a file");
     std::os::unix::fs::symlink(outside, inside.join("l")).expect("a link to a folder");
     let path = inside.join("m.obj").display().to_string();
-    let said = load(&path).expect_err("it leads out").to_string();
+    let scene = load(&path).expect("drawn without");
+    let said = scene.warnings[0].to_string();
     assert!(
         said.starts_with(&format!("{path}:1: ")) && said.contains("link"),
         "{said}"
     );
+    assert_eq!(scene.materials.len(), 1, "nothing was read");
 }
 
 #[test]
@@ -275,11 +274,8 @@ fn case_098_brackets_inside_brackets() {
 fn case_099_files_that_name_themselves() {
     let itself = format!("mtllib m.obj\nmtllib m.obj\nusemtl a\n{FACE}");
     let scene = model(&itself).expect("as a file of materials it is empty");
-    assert!(
-        scene.warnings[0].to_string().contains("material `a`"),
-        "{:?}",
-        scene.warnings
-    );
+    let told = |what| scene.warnings.iter().any(|w| w.to_string().contains(what));
+    assert!(told("material `a`") && told("left out"));
     let object = r#""objects": [{"obj": {"name": "m", "file": "a.json"}}]"#;
     refused(self::scene(object), "a.json: ", &["no face"]);
 }
@@ -328,10 +324,11 @@ fn case_103_bytes_that_are_no_text() {
         b"\xe9",
     ] {
         let obj = [b"# ", bytes, b"\n", FACE.as_bytes()].concat();
-        refused(
-            read(&[("m.obj", &obj)]),
-            "m.obj: ",
-            &["UTF-8", "line 1, byte 2"],
+        let scene = read(&[("m.obj", &obj)]).expect("drawn all the same");
+        let told = scene.warnings[0].to_string();
+        assert!(
+            told.starts_with("m.obj:1: ") && told.contains("UTF-8"),
+            "{told}"
         );
         let note = [b"{\"note\":\n\"", bytes, b"\"}"].concat();
         refused(
@@ -349,16 +346,11 @@ fn case_104_line_ends_continued_lines_and_decimal_commas() {
         FACE.replace('\n', "\r\n"),
         format!("\u{feff}{FACE}"),
         FACE.trim_end().to_string(),
+        FACE.replace('\n', "\r"),
+        format!("{CORNERS}f 1 2 \\\n3\n"),
     ] {
         let same = model(&text).expect("the same");
         assert_eq!(format!("{:?}", same.shapes), format!("{:?}", plain.shapes));
     }
-    // A lone carriage return ends no line: all of it is one.
-    refused(model(&FACE.replace('\n', "\r")), "m.obj: ", &["no face"]);
-    refused(
-        model(&format!("{CORNERS}f 1 2 \\\n3\n")),
-        "m.obj:4: ",
-        &["join the two lines"],
-    );
     refused(model("v 0 0,5 0\n"), "m.obj:1: ", &["0,5", "decimal point"]);
 }

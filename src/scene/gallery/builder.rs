@@ -1,5 +1,7 @@
 //! Scene built by a program, shape by shape, instead of read from a file.
 
+use std::sync::Arc;
+
 use crate::geometry::{Shape, Triangle};
 use crate::math::{DVec3, Rgb};
 use crate::scene::{Camera, Object, Scene, Settings, VertexData};
@@ -90,7 +92,7 @@ impl SceneBuilder {
             return 0;
         };
         let vertices = object.vertices.get_or_insert_with(VertexData::default);
-        vertices.normals.push(normal);
+        Arc::make_mut(&mut vertices.normals).push(normal);
         vertices.normals.len() as u32 - 1
     }
 

@@ -9,6 +9,7 @@ use std::io::{Read, StdinLock};
 use std::path::{Component, Path, PathBuf};
 
 use super::error::Problem;
+use super::text::{Decoded, decoded};
 use crate::scene::FileId;
 use crate::scene::limits::{MAX_FILE_BYTES, MAX_SCENE_BYTES};
 
@@ -90,8 +91,12 @@ impl Files {
         if let Folder::Memory(files) = &self.folder {
             let bytes = path.to_str().and_then(|name| files.get(name));
             let bytes = bytes.ok_or_else(missing)?.clone();
-            return self.accept(bytes);
+            return text(self.accept(bytes)?);
         }
+        text(self.open_bytes(path)?)
+    }
+
+    fn open_bytes(&mut self, path: &Path) -> Result<Vec<u8>, Problem> {
         let (file, length) = regular(path, SCENES)?;
         self.check_size(length)?;
         self.read_from.extend(FileId::of(&file, path));
@@ -112,7 +117,7 @@ impl Files {
         let mut bytes = Vec::new();
         let read = stdin.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes);
         read.map_err(|e| unreadable(&e))?;
-        self.accept(bytes)
+        text(self.accept(bytes)?)
     }
 
     /// Takes a text that is there already into account, as if it had been read.
@@ -123,13 +128,13 @@ impl Files {
         Ok(())
     }
 
-    /// Text of a file whose bytes were read.
-    fn accept(&mut self, bytes: Vec<u8>) -> Result<String, Problem> {
+    /// Bytes of a file that were read.
+    fn accept(&mut self, bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
         // It may have grown since its length was read.
         self.check_size(bytes.len() as u64)?;
         self.bytes += bytes.len() as u64;
         self.take(&bytes);
-        text(bytes)
+        Ok(bytes)
     }
 
     /// Refuses a file that is too long, by itself or together with those read before.
@@ -143,8 +148,13 @@ impl Files {
         Ok(())
     }
 
-    /// Text of a file that a scene file names; `None` if there is no such file.
-    pub fn read(&mut self, name: &str) -> Result<Option<String>, Problem> {
+    /// Text of a model or of its materials that a scene names; `None` if there is no such file. Its bytes may be anything.
+    pub fn read_model(&mut self, name: &str) -> Result<Option<Decoded>, Problem> {
+        Ok(self.read(name)?.map(decoded))
+    }
+
+    /// Bytes of a file that a scene file names; `None` if there is no such file.
+    fn read(&mut self, name: &str) -> Result<Option<Vec<u8>>, Problem> {
         check_name(name)?;
         let folder = match &self.folder {
             Folder::Embedded(text) => {
@@ -152,7 +162,7 @@ impl Files {
                     return Ok(None);
                 };
                 self.take(text.as_bytes());
-                return Ok(Some(text.to_string()));
+                return Ok(Some(text.as_bytes().to_vec()));
             }
             Folder::Memory(files) => {
                 let Some(bytes) = files.get(name.trim_start_matches("./")) else {
@@ -176,7 +186,7 @@ impl Files {
                 "copy the file into the folder of the scene",
             ));
         }
-        self.open(&path).map(Some)
+        self.open_bytes(&path).map(Some)
     }
 }
 

@@ -1,26 +1,31 @@
 //! Meshes from OBJ files, with the materials of their MTL files.
+//!
+//! The crate `tobj` reads the numbers of both. Before it, `check` and `mtl` mend what it would refuse, mistake or panic at,
+//! and note what is left out or guessed; only a broken point, an index of no point, and a file without faces are refused.
 
-mod faces;
+mod check;
+mod cut;
+mod library;
 mod mtl;
 mod parts;
-mod polygon;
-mod surface;
-mod tokens;
-mod vertices;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
+use std::path::Path;
 
-use faces::{Faces, Mark};
+use check::FaceRun;
 
 use super::error::{Problem, SceneError};
 use super::files::Files;
 use super::mesh::Mesh;
-use crate::scene::warning::{WarningCode, Warnings};
+use super::text::Decoded;
+use crate::scene::warning::Warnings;
 use crate::shading::Material;
 
 /// What an OBJ file holds.
 #[derive(Debug)]
 pub struct Obj {
+    /// Points, normals and texture coordinates of all parts.
+    pub shared: Mesh,
     /// Its parts: each has a name and at most one material.
     pub parts: Vec<ObjPart>,
     /// The materials that they use, as its MTL files describe them.
@@ -34,7 +39,7 @@ pub struct ObjPart {
     pub name: String,
     /// Index into the file's materials.
     pub material: Option<usize>,
-    /// Its surface.
+    /// Its triangles.
     pub mesh: Mesh,
 }
 
@@ -46,104 +51,60 @@ pub fn default_material(name: &str) -> Material {
 /// Reads an OBJ file from its text. `name` is its path from the scene's folder; the MTL files that it names are read
 /// through `files`, unless `own_materials` is false: then they are not needed.
 pub fn parse(
-    text: &str,
+    text: Decoded,
     name: &str,
     files: &mut Files,
     warnings: &mut Warnings,
     own_materials: bool,
 ) -> Result<Obj, SceneError> {
     let file = &files.label(name);
-    let surface = surface::read(text).map_err(|(line, problem)| problem.in_line(file, line))?;
-    let triangles = surface.faces.triangles.len();
-    if triangles == 0 {
-        return Err(Problem::new(
-            "there is no face in it",
-            "an OBJ file needs lines `v x y z` for points and `f a b c` for faces",
-        )
-        .in_file(file));
+    let mut checked =
+        check::check(&text.text).map_err(|(line, problem)| problem.in_line(file, line))?;
+    checked.notes.encoding(&text);
+    drop(text);
+    if checked.faces.is_empty() {
+        let cure = "an OBJ file needs lines `v x y z` for points and `f a b c` for faces";
+        return Err(Problem::new("there is no face in it", cure).in_file(file));
     }
-    let (count, line) = surface.faces.edges;
-    if count > 0 {
-        let what = format!(
-            "{count} faces have fewer than three corners, this is the first: they are left out"
-        );
-        let problem = Problem::new(
-            what,
-            "give each face at least three corners, or write lines as `l`",
-        );
-        warnings.add(WarningCode::FewCorners, problem.in_line(file, line));
-    }
+    let no_library = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
+    let mended = std::mem::take(&mut checked.text);
+    let loaded = tobj::load_obj_buf(
+        &mut mended.as_bytes(),
+        &tobj::LoadOptions::default(),
+        no_library,
+    );
+    drop(mended);
+    let (models, _) = loaded.map_err(|error| {
+        let what = format!("a line up to this one cannot be read: {error}");
+        let line = checked.faces.last().map_or(1, |line| *line as usize);
+        Problem::new(what, "export the model again").in_line(file, line)
+    })?;
     if !own_materials {
-        return Ok(Obj {
-            parts: vec![parts::whole(surface)],
-            materials: Vec::new(),
-        });
+        checked.runs.truncate(1);
     }
-    let materials = read_materials(&surface.faces, name, files, warnings)?;
+    let (shared, meshes) = parts::parts(models, &mut checked);
+    let mut materials = Vec::new();
+    if own_materials {
+        materials = library::read(&mut checked, name, files, warnings);
+    }
+    checked.notes.warn(file, warnings);
     let numbers: HashMap<&str, usize> = (materials.iter().enumerate())
         .map(|(number, material)| (material.name.as_str(), number))
         .collect();
-    let parts = parts::parts(surface, |name| numbers.get(name).copied());
-    Ok(Obj { parts, materials })
-}
-
-/// The materials that an OBJ file's faces use, from the MTL files that it names; each of these is read once. One that is
-/// missing, or a material that none describes, is only a warning: the shape can be seen without.
-fn read_materials(
-    faces: &Faces,
-    name: &str,
-    files: &mut Files,
-    warnings: &mut Warnings,
-) -> Result<Vec<Material>, SceneError> {
-    let mut materials: Vec<Material> = Vec::new();
-    let file = &files.label(name);
-    let used = faces.marks.iter().filter_map(|(_, line, mark)| match mark {
-        Mark::Material(name) => Some((name.as_str(), *line)),
-        _ => None,
-    });
-    let mut missing: HashSet<&str> = used.clone().map(|(name, _)| name).collect();
-    let mut libraries = HashSet::new();
-    for (_, line, mark) in &faces.marks {
-        let Mark::Library(library) = mark else {
-            continue;
-        };
-        if !libraries.insert(library.as_str()) {
-            continue;
-        }
-        // Its path starts where the OBJ file is.
-        let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
-        let path = match folder {
-            "" => library.clone(),
-            _ if library.starts_with('/') => library.clone(),
-            _ => format!("{folder}/{library}"),
-        };
-        let text = files
-            .read(&path)
-            .map_err(|problem| problem.in_line(file, *line))?;
-        let Some(text) = text else {
-            let what = format!("there is no file `{library}`: what it describes is grey");
-            let problem = Problem::new(what, "put the file of materials beside the model");
-            warnings.add(WarningCode::MissingLibrary, problem.in_line(file, *line));
-            continue;
-        };
-        let found = mtl::parse(&text, |name| missing.remove(name))
-            .map_err(|(line, problem)| problem.in_line(&files.label(&path), line))?;
-        materials.extend(found);
-    }
-    if libraries.is_empty() {
-        return Ok(materials);
-    }
-    for (name, line) in used {
-        if missing.remove(name) {
-            let what = format!("no MTL file describes the material `{name}`: it is grey");
-            let problem = Problem::new(
-                what,
-                "describe it: `newmtl` and its name, then `Kd 0.8 0.2 0.1`",
-            );
-            warnings.add(WarningCode::MissingMaterial, problem.in_line(file, line));
-        }
-    }
-    Ok(materials)
+    let part = |(run, mesh): (FaceRun, Mesh)| ObjPart {
+        material: numbers.get(run.material.0.as_str()).copied(),
+        name: match run.name.as_str() {
+            "default" | "off" => String::new(),
+            _ => run.name,
+        },
+        mesh,
+    };
+    let parts = checked.runs.into_iter().zip(meshes).map(part).collect();
+    Ok(Obj {
+        shared,
+        parts,
+        materials,
+    })
 }
 
 #[cfg(test)]

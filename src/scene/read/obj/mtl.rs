@@ -1,203 +1,187 @@
 //! Materials of OBJ files: MTL.
 //!
 //! Source: the format's description by Alias Wavefront. Only what Whitted's model can show is read: colours,
-//! highlight, opacity, index of refraction. Textures and other extensions are passed over.
+//! highlight, opacity, index of refraction. The crate `tobj` reads the numbers, which are checked and mended before.
+
+use std::fmt::Write;
 
 use crate::math::Rgb;
 use crate::scene::limits::{IOR, MAX_EXPONENT, MAX_RADIANCE};
-use crate::scene::read::error::Problem;
+use crate::scene::read::notes::Notes;
+use crate::scene::read::text::{Lines, name, number, words};
+use crate::scene::warning::WarningCode;
 use crate::shading::Material;
 
 /// What one `newmtl` says.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct MtlEntry {
     name: String,
-    ambient: Option<Rgb>,
-    diffuse: Rgb,
-    specular: Rgb,
-    emission: Rgb,
-    shininess: f64,
-    ior: f64,
-    opacity: f64,
-    illum: u8,
+    line: usize,
+    /// The lines for `tobj`.
+    text: String,
+    /// `d`, and 1 - `Tr`: it has no `Tr`.
+    opacity: [Option<f64>; 2],
+    /// `Tf`, which it does not read.
+    filter: Option<Rgb>,
 }
 
-/// Those materials of an MTL file that are `wanted` by their names, in their order, or the line of the first mistake,
-/// from 1. Of two with one name the first counts.
-pub fn parse<'a>(
-    text: &'a str,
-    mut wanted: impl FnMut(&str) -> bool,
-) -> Result<Vec<Material>, (usize, Problem)> {
+/// Those materials of an MTL file that are `wanted` by their names, in their order. Of two with one name the first counts.
+pub fn parse(text: &str, mut wanted: impl FnMut(&str) -> bool, notes: &mut Notes) -> Vec<Material> {
     let mut materials = Vec::new();
-    let mut entry: Option<MtlEntry> = None;
-    let mut finish = |entry: Option<MtlEntry>| {
-        let wanted = entry.filter(|entry| wanted(&entry.name));
-        materials.extend(wanted.map(MtlEntry::material));
-    };
-    for (line, mut words) in (1..).zip(text.lines().map(str::split_whitespace)) {
+    let (mut entry, mut is_first): (Option<MtlEntry>, bool) = (None, true);
+    for (number, line) in Lines::new(text) {
+        let mut words = words(&line);
         let Some(key) = words.next() else { continue };
-        let rest: Vec<&'a str> = words.collect();
         if key == "newmtl" {
-            finish(entry.replace(MtlEntry::new(rest.join(" "))));
-        } else {
-            read_line(key, &rest, entry.as_mut()).map_err(|problem| (line, problem))?;
+            materials.extend(entry.take().map(|entry| entry.material(notes)));
+            let name = name(&line);
+            is_first = false;
+            entry = wanted(&name).then(|| MtlEntry {
+                name,
+                line: number,
+                text: "newmtl it\n".to_owned(),
+                ..MtlEntry::default()
+            });
+        } else if let Some(entry) = &mut entry {
+            let note = |code, about: &str| notes.add(code, about, number);
+            entry.read(key, &words.collect::<Vec<_>>(), note);
+        } else if is_first {
+            notes.add(WarningCode::LeftOut, key, number);
         }
     }
-    finish(entry);
-    Ok(materials)
+    materials.extend(entry.map(|entry| entry.material(notes)));
+    materials
 }
 
 /// A material of which nothing is said but its name.
 pub fn matt_grey(name: &str) -> Material {
-    MtlEntry::new(name.to_string()).material()
-}
-
-fn read_line(key: &str, rest: &[&str], entry: Option<&mut MtlEntry>) -> Result<(), Problem> {
-    if !["Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum"].contains(&key) {
-        return Ok(());
-    }
-    let Some(entry) = entry else {
-        return Err(Problem::new(
-            format!("`{key}` stands before any `newmtl`"),
-            "begin each material with a line `newmtl name`",
-        ));
+    let entry = MtlEntry {
+        name: name.to_owned(),
+        ..MtlEntry::default()
     };
-    match key {
-        "Ka" => entry.ambient = Some(color(key, rest, MAX_RADIANCE)?),
-        "Kd" => entry.diffuse = color(key, rest, MAX_RADIANCE)?,
-        "Ks" => entry.specular = color(key, rest, MAX_RADIANCE)?,
-        "Ke" => entry.emission = color(key, rest, MAX_RADIANCE)?,
-        "Ns" => entry.shininess = number(key, rest, [0.0, MAX_EXPONENT])?,
-        // Some exporters write 0 for "not said".
-        "Ni" if rest.first() == Some(&"0") => {}
-        "Ni" => entry.ior = number(key, rest, IOR)?,
-        "d" => entry.opacity = number(key, rest, [0.0, 1.0])?,
-        "Tr" => entry.opacity = 1.0 - number(key, rest, [0.0, 1.0])?,
-        _ => entry.illum = number(key, rest, [0.0, 10.0])? as u8,
-    }
-    Ok(())
-}
-
-/// The three numbers of a colour.
-fn color(key: &str, words: &[&str], max: f64) -> Result<Rgb, Problem> {
-    if let Some(kind @ ("spectral" | "xyz")) = words.first().copied() {
-        return Err(Problem::new(
-            format!("`{key} {kind}` is not supported"),
-            format!("write three numbers: `{key} red green blue`"),
-        ));
-    }
-    let [r, g, b] = words else {
-        return Err(Problem::new(
-            format!("`{key}` needs three numbers and has {}", words.len()),
-            format!("write `{key} red green blue`, such as `{key} 0.8 0.2 0.1`"),
-        ));
-    };
-    let channel = |word: &str| number(key, &[word], [0.0, max]);
-    Ok(Rgb::new(channel(r)?, channel(g)?, channel(b)?))
-}
-
-/// One number between two bounds.
-fn number(key: &str, words: &[&str], [min, max]: [f64; 2]) -> Result<f64, Problem> {
-    let Some(word) = words.first() else {
-        return Err(Problem::new(
-            format!("`{key}` has no number"),
-            format!("write a number after `{key}`, or take the line away"),
-        ));
-    };
-    match word.parse::<f64>() {
-        Ok(value) if (min..=max).contains(&value) => Ok(value),
-        Ok(_) => Err(Problem::new(
-            format!("`{key}` is {word}"),
-            format!("write a number from {min} to {max}"),
-        )),
-        Err(_) => Err(Problem::new(
-            format!("`{key}` has `{word}`, which is not a number"),
-            format!("write a number from {min} to {max}, with a decimal point"),
-        )),
-    }
+    entry.material(&mut Notes::default())
 }
 
 impl MtlEntry {
-    fn new(name: String) -> Self {
-        Self {
-            name,
-            ambient: None,
-            diffuse: Rgb::grey(0.6),
-            specular: Rgb::BLACK,
-            emission: Rgb::BLACK,
-            shininess: 32.0,
-            ior: 1.0,
-            opacity: 1.0,
-            illum: 2,
+    /// Reads a line; `note` is told what of it is not taken as it stands.
+    fn read(&mut self, key: &str, words: &[&str], mut note: impl FnMut(WarningCode, &str)) {
+        let (count, [min, max]) = match key {
+            "Ka" | "Kd" | "Ks" | "Ke" => (3, [0.0, MAX_RADIANCE]),
+            "Tf" => (3, [0.0, 1.0]),
+            "d" | "Tr" => (1, [0.0, 1.0]),
+            "Ns" => (1, [0.0, MAX_EXPONENT]),
+            "Ni" => (1, IOR),
+            "illum" => (1, [0.0, 10.0]),
+            "bump" | "disp" | "decal" | "refl" | "norm" => return note(WarningCode::Texture, key),
+            _ if key.starts_with("map_") => return note(WarningCode::Texture, key),
+            _ => return note(WarningCode::LeftOut, key),
+        };
+        let option = usize::from(words.first() == Some(&"-halo"));
+        let read = words.iter().skip(option).take(count);
+        let read: Option<Vec<f64>> = read.map(|word| number(word, f64::MAX)).collect();
+        let said = match read.as_deref() {
+            // Green and blue equal red if they are not said.
+            Some([all]) => [*all; 3],
+            Some([r, g, b]) => [*r, *g, *b],
+            _ => return note(WarningCode::UnreadLine, key),
+        };
+        let taken = option + read.map_or(0, |read| read.len());
+        let values = said.map(|x| x.clamp(min, max));
+        match (key, said[0]) {
+            // Some exporters write 0 for "not said".
+            ("Ni", 0.0) => return,
+            ("Ni", ..0.0) => return note(WarningCode::UnreadLine, key),
+            ("illum", x) if x != values[0] => return note(WarningCode::UnreadLine, key),
+            _ if values != said => note(WarningCode::Clamped, key),
+            _ => {}
+        }
+        if option > 0 || words.len() > taken {
+            note(WarningCode::ExtraNumbers, key);
+        }
+        let [x, y, z] = values;
+        // Writing to a string cannot fail.
+        let _ = match key {
+            "illum" => writeln!(self.text, "illum {}", x as u8),
+            _ if count == 3 => writeln!(self.text, "{key} {x} {y} {z}"),
+            _ => writeln!(self.text, "{key} {x}"),
+        };
+        match key {
+            "d" => self.opacity[0] = Some(x),
+            "Tr" => self.opacity[1] = Some(1.0 - x),
+            "Tf" => self.filter = Some(values.into()),
+            _ => {}
         }
     }
 
     /// In Whitted's terms: highlights from model 2 on, mirror rays by Ks from model 3 on, and what is not opaque lets
     /// rays through.
-    fn material(self) -> Material {
-        let mirrors = matches!(self.illum, 3..=8);
-        let capped = |c: Rgb, max: f64| c.map(|x| x.min(max));
+    fn material(self, notes: &mut Notes) -> Material {
+        let read = tobj::load_mtl_buf(&mut self.text.as_bytes());
+        let read = read
+            .ok()
+            .and_then(|(mut all, _)| all.pop())
+            .unwrap_or_default();
+        let color = |said: Option<[f64; 3]>| said.map(Rgb::from);
+        let diffuse = color(read.diffuse).unwrap_or(Rgb::grey(0.6));
+        let specular = color(read.specular).unwrap_or(Rgb::BLACK);
+        let emission = color(read.emissive).unwrap_or(Rgb::BLACK);
+        let illum = read.illumination_model.unwrap_or(2);
+        let ior = read.optical_density.unwrap_or(1.0);
+        let [opaque, transmission] = self.shares(illum, ior, notes);
+        let shaded = if illum == 0 { Rgb::BLACK } else { diffuse };
         Material {
-            name: self.name,
-            ambient: self.ambient.unwrap_or(self.diffuse) * self.opacity,
-            diffuse: self.diffuse * self.opacity,
-            specular: if self.illum >= 2 {
-                self.specular
-            } else {
-                Rgb::BLACK
+            ambient: color(read.ambient.filter(|_| illum > 0)).unwrap_or(shaded) * opaque,
+            diffuse: shaded * opaque,
+            specular: if illum >= 2 { specular } else { Rgb::BLACK },
+            shininess: read.shininess.unwrap_or(32.0),
+            mirror: match illum {
+                // The share that a surface mirrors is that which does not enter it (Fresnel), and no other.
+                7 if !transmission.is_black() => Rgb::BLACK,
+                3..=8 => specular.map(|x| x.min(1.0)),
+                _ => Rgb::BLACK,
             },
-            shininess: self.shininess,
-            mirror: if mirrors {
-                capped(self.specular, 1.0)
-            } else {
-                Rgb::BLACK
-            },
-            transmission: Rgb::grey(1.0 - self.opacity),
-            ior: self.ior,
+            transmission,
+            ior,
             priority: 0,
-            emission: self.emission,
+            // Model 0 is a constant colour.
+            emission: if illum == 0 {
+                emission + diffuse * opaque
+            } else {
+                emission
+            },
             checker: None,
+            name: self.name,
         }
     }
-}
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_material_is_read_and_unknown_lines_are_passed_over() {
-        let text = "# a comment\r\nnewmtl red glass\r\nKd 1 0 0\r\nKs 2 0.5 0\nd 0.25\nNi 1.5\nillum 4\nmap_Kd x.png\n";
-        let materials = parse(text, |_| true).expect("a good file");
-        let [glass] = &materials[..] else {
-            panic!("one material")
+    /// The share of what meets the surface that is shaded, and that which passes. `Tf` alone says what passes in the models
+    /// with refraction, 6 and 7, and in those of glass, 4 and 9, if the index of refraction is one: Maya writes model 4 and
+    /// `Tf 1 1 1` for what is opaque.
+    fn shares(&self, illum: u8, ior: f64, notes: &mut Notes) -> [Rgb; 2] {
+        let filter = self.filter.filter(|filter| !filter.is_black());
+        let [d, from_tr] = self.opacity;
+        if let (Some(d), Some(from_tr)) = (d, from_tr)
+            && (d - from_tr).abs() > 1e-3
+        {
+            notes.add(WarningCode::OpacityConflict, &self.name, self.line);
+        }
+        let is_glass = matches!(illum, 4 | 6 | 7 | 9);
+        let [opaque, passes] = match (d.or(from_tr), filter) {
+            (None, Some(filter)) if is_glass && (ior != 1.0 || matches!(illum, 6 | 7)) => {
+                [filter.map(|x| 1.0 - x), filter]
+            }
+            (said, filter) => {
+                let opacity = said.unwrap_or(1.0);
+                let filter = filter.unwrap_or(Rgb::WHITE);
+                [Rgb::grey(opacity), filter * (1.0 - opacity)]
+            }
         };
-        assert_eq!(glass.name, "red glass");
-        assert_eq!(glass.diffuse, Rgb::new(0.25, 0.0, 0.0));
-        assert_eq!(glass.transmission, Rgb::grey(0.75));
-        assert_eq!(glass.mirror, Rgb::new(1.0, 0.5, 0.0));
-        assert_eq!(glass.ior, 1.5);
-    }
-
-    #[test]
-    fn each_mistake_names_its_line() {
-        for (text, line) in [
-            ("newmtl a\nKd", 2),
-            ("newmtl a\nKd 1", 2),
-            ("newmtl a\n\nKd 1 2", 3),
-            ("newmtl a\nKd 1 2 x", 2),
-            ("newmtl a\nKs nan 0 0", 2),
-            ("newmtl a\nd 7", 2),
-            ("newmtl a\nNs", 2),
-            ("newmtl a\nNi -1", 2),
-            ("Kd 1 1 1", 1),
-        ] {
-            assert_eq!(
-                parse(text, |_| true).err().map(|e| e.0),
-                Some(line),
-                "{text:?}"
-            );
+        if passes.is_black() && filter.is_some_and(|filter| filter != Rgb::WHITE) {
+            notes.add(WarningCode::OpaqueFilter, &self.name, self.line);
         }
-        assert_eq!(parse("", |_| true).map(|m| m.len()), Ok(0));
+        if opaque.is_black() && !is_glass {
+            notes.add(WarningCode::Invisible, &self.name, self.line);
+        }
+        [opaque, passes]
     }
 }

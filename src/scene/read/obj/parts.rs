@@ -1,168 +1,154 @@
-//! From the faces of an OBJ file to its parts: runs of triangles with one name and one material.
+//! From the models of `tobj` to parts of a file: triangles with one name and one material.
 
-use super::ObjPart;
-use super::faces::{Faces, Mark, NONE};
-use super::surface::ObjSurface;
+use std::borrow::Cow;
+
+use super::check::Checked;
+use super::cut::triangulate;
 use crate::math::{DVec2, DVec3};
-use crate::scene::VertexData;
 use crate::scene::read::mesh::Mesh;
+use crate::scene::warning::WarningCode;
 
-/// A run of triangles.
-struct PartRange {
-    name: String,
-    material: Option<usize>,
-    first: usize,
-    end: usize,
+/// Texture coordinates of a triangle that has none, and its normals: they change nothing.
+const NO_UVS: [u32; 3] = [0, 1, 2];
+const NO_NORMALS: [u32; 3] = [0; 3];
+
+/// Points, texture coordinates and normals of all models.
+struct Lists {
+    points: Vec<DVec3>,
+    uvs: Vec<DVec2>,
+    normals: Vec<DVec3>,
 }
 
-/// All of it as one part.
-pub fn whole(surface: ObjSurface) -> ObjPart {
-    let (points, uvs, normals) = (surface.points, surface.uvs, surface.normals);
-    ObjPart {
-        name: String::new(),
-        material: None,
-        mesh: mesh(points, uvs, normals, surface.faces),
-    }
-}
-
-/// The parts, in their order. `material` is the number of the material with a name, if there is one.
-pub fn parts(mut surface: ObjSurface, material: impl Fn(&str) -> Option<usize>) -> Vec<ObjPart> {
-    let marks = std::mem::take(&mut surface.faces.marks);
-    let mut runs = runs(marks, surface.faces.triangles.len(), material);
-    if runs.len() == 1 {
-        let run = runs.remove(0);
-        return vec![ObjPart {
-            name: run.name,
-            material: run.material,
-            mesh: whole(surface).mesh,
-        }];
-    }
-    // Each part gets its own points: those that it uses, in the order in which it does.
-    let mut points = Numbering::new(&surface.points);
-    let mut uvs = Numbering::new(&surface.uvs);
-    let mut normals = Numbering::new(&surface.normals);
-    let faces = &surface.faces;
-    let part = |run: PartRange| {
-        let of = |list: &[[u32; 3]]| match list {
-            [] => Vec::new(),
-            list => list[run.first..run.end].to_vec(),
-        };
-        let mut own = Faces {
-            triangles: of(&faces.triangles),
-            uvs: of(&faces.uvs),
-            normals: of(&faces.normals),
-            lines: faces.lines[run.first..run.end].to_vec(),
-            ..Faces::default()
-        };
-        let points = points.renumber(&mut own.triangles);
-        let uvs = uvs.renumber(&mut own.uvs);
-        let normals = normals.renumber(&mut own.normals);
-        ObjPart {
-            name: run.name,
-            material: run.material,
-            mesh: mesh(points, uvs, normals, own),
-        }
+/// What all parts share, and the triangles of each run of faces.
+pub fn parts(models: Vec<tobj::Model>, checked: &mut Checked) -> (Mesh, Vec<Mesh>) {
+    let mut lists = Lists {
+        points: Vec::with_capacity(
+            models
+                .iter()
+                .map(|model| model.mesh.positions.len() / 3)
+                .sum(),
+        ),
+        uvs: vec![DVec2::ZERO, DVec2::X, DVec2::Y],
+        normals: vec![DVec3::ZERO],
     };
-    runs.into_iter().map(part).collect()
-}
-
-/// A name begins a new run, and so does another material.
-fn runs(
-    marks: Vec<(usize, usize, Mark)>,
-    end: usize,
-    number: impl Fn(&str) -> Option<usize>,
-) -> Vec<PartRange> {
-    let (mut runs, mut first) = (Vec::new(), 0);
-    let (mut name, mut material) = (String::new(), None);
-    for (at, _, mark) in marks {
-        let is_name = matches!(mark, Mark::Name(_));
-        let (next_name, next_material) = match mark {
-            Mark::Name(next) if matches!(&*next, "default" | "off") => (String::new(), material),
-            Mark::Name(next) => (next, material),
-            Mark::Material(next) => (name.clone(), number(&next)),
-            Mark::Library(_) => continue,
-        };
-        let ends = is_name || next_material != material;
-        if ends && at > first {
-            runs.push(PartRange {
-                name,
-                material,
-                first,
-                end: at,
-            });
-            first = at;
-        }
-        (name, material) = (next_name, next_material);
-    }
-    if end > first {
-        runs.push(PartRange {
-            name,
-            material,
-            first,
-            end,
-        });
-    }
-    runs
-}
-
-/// A mesh, in which corners that have nothing get what changes nothing.
-fn mesh(points: Vec<DVec3>, mut uvs: Vec<DVec2>, mut normals: Vec<DVec3>, faces: Faces) -> Mesh {
-    let (no_uv, no_normal) = (uvs.len() as u32, normals.len() as u32);
-    uvs.extend([DVec2::ZERO, DVec2::X, DVec2::Y]);
-    normals.push(DVec3::ZERO);
-    let mut corners = VertexData::default();
-    if let Some(indices) = completed(faces.uvs, [no_uv, no_uv + 1, no_uv + 2]) {
-        (corners.uvs, corners.uv_indices) = (uvs, indices);
-    }
-    if let Some(indices) = completed(faces.normals, [no_normal; 3]) {
-        (corners.normals, corners.normal_indices) = (normals, indices);
-    }
-    Mesh {
-        points,
-        triangles: faces.triangles,
-        lines: faces.lines,
-        corners,
-    }
-}
-
-/// The list with `instead` in place of [`NONE`]; `None` if nothing else is in it.
-fn completed(mut list: Vec<[u32; 3]>, instead: [u32; 3]) -> Option<Vec<[u32; 3]>> {
-    if list.iter().all(|t| *t == NONE) {
-        return None;
-    }
-    for triangle in list.iter_mut().filter(|t| **t == NONE) {
-        *triangle = instead;
-    }
-    Some(list)
-}
-
-/// Numbers for what a part uses of a list.
-struct Numbering<'a, T> {
-    all: &'a [T],
-    /// The number of each in the part at hand, or `u32::MAX`.
-    numbers: Vec<u32>,
-}
-
-impl<'a, T: Copy> Numbering<'a, T> {
-    fn new(all: &'a [T]) -> Self {
-        let numbers = vec![u32::MAX; all.len()];
-        Self { all, numbers }
-    }
-
-    /// What the triangles of a part use, in the order in which they do; they are numbered anew.
-    fn renumber(&mut self, triangles: &mut [[u32; 3]]) -> Vec<T> {
-        let mut used = Vec::new();
-        for index in triangles.iter_mut().filter(|t| **t != NONE).flatten() {
-            let number = &mut self.numbers[*index as usize];
-            if *number == u32::MAX {
-                *number = used.len() as u32;
-                used.push(*index);
+    let mut parts: Vec<Mesh> = Vec::with_capacity(checked.runs.len());
+    let mut runs = checked.runs.iter().peekable();
+    let mut lines = checked.faces.iter().enumerate();
+    for mut model in models {
+        lists.append(&mut model.mesh);
+        let tobj::Mesh {
+            indices,
+            texcoord_indices,
+            normal_indices,
+            face_arities,
+            ..
+        } = model.mesh;
+        let (mut at, mut arities) = (0, face_arities.iter());
+        while at < indices.len() {
+            let corners = at..at + arities.next().map_or(3, |arity| *arity as usize);
+            at = corners.end;
+            let Some((face, line)) = lines.next() else {
+                break;
+            };
+            if let Some(run) = runs.next_if(|run| run.first == face) {
+                let mut part = Mesh::default();
+                let room = |indices: &[u32]| usize::from(!indices.is_empty()) * run.triangles;
+                part.triangles.reserve_exact(run.triangles);
+                part.lines.reserve_exact(run.triangles);
+                part.corners
+                    .uv_indices
+                    .reserve_exact(room(&texcoord_indices));
+                part.corners
+                    .normal_indices
+                    .reserve_exact(room(&normal_indices));
+                parts.push(part);
             }
-            *index = *number;
+            let own = [&indices, &texcoord_indices, &normal_indices];
+            let own = own.map(|list| list.get(corners.clone()).unwrap_or_default());
+            let guess = parts
+                .last_mut()
+                .and_then(|part| lists.face(own, *line, part));
+            if let Some(guess) = guess {
+                checked
+                    .notes
+                    .add(WarningCode::GuessedFace, guess, *line as usize);
+            }
         }
-        for index in &used {
-            self.numbers[*index as usize] = u32::MAX;
+    }
+    parts.iter_mut().for_each(forget_none);
+    let points = lists.points.into();
+    let mut shared = Mesh {
+        points,
+        ..Mesh::default()
+    };
+    (shared.corners.uvs, shared.corners.normals) = (lists.uvs.into(), lists.normals.into());
+    (shared, parts)
+}
+
+/// Empties lists of a part that say nothing.
+fn forget_none(part: &mut Mesh) {
+    let corners = &mut part.corners;
+    if corners.uv_indices.iter().all(|t| *t == NO_UVS) {
+        corners.uv_indices = Vec::new();
+    }
+    if corners.normal_indices.iter().all(|t| *t == NO_NORMALS) {
+        corners.normal_indices = Vec::new();
+    }
+}
+
+impl Lists {
+    /// Appends those of a mesh, whose indices then count in these lists.
+    fn append(&mut self, mesh: &mut tobj::Mesh) {
+        let shift =
+            |indices: &mut Vec<u32>, by: usize| indices.iter_mut().for_each(|i| *i += by as u32);
+        shift(&mut mesh.indices, self.points.len());
+        shift(&mut mesh.texcoord_indices, self.uvs.len());
+        shift(&mut mesh.normal_indices, self.normals.len());
+        let triple = |numbers: &[f64]| DVec3::from_slice(numbers);
+        self.points
+            .extend(mesh.positions.chunks_exact(3).map(triple));
+        self.uvs
+            .extend(mesh.texcoords.chunks_exact(2).map(DVec2::from_slice));
+        let normals = mesh.normals.chunks_exact(3).map(triple);
+        self.normals.extend(normals.map(DVec3::normalize_or_zero));
+    }
+
+    /// Adds the triangles of a face; tells why they are a guess, if they are one.
+    fn face(
+        &self,
+        [points, uvs, normals]: [&[u32]; 3],
+        line: u32,
+        part: &mut Mesh,
+    ) -> Option<&'static str> {
+        // All corners of a face have a normal, or none has; texture coordinates as well.
+        let has_uvs = uvs.iter().all(|i| !self.uvs[*i as usize].is_nan());
+        let has_normals = normals
+            .iter()
+            .all(|i| self.normals[*i as usize] != DVec3::ZERO);
+        let (mut cut, mut guess) = (Cow::from(&[[0, 1, 2]]), None);
+        if points.len() > 3 {
+            let outline: Vec<DVec3> = points.iter().map(|i| self.points[*i as usize]).collect();
+            let triangles;
+            (triangles, guess) = triangulate(&outline);
+            cut = triangles.into();
         }
-        used.iter().map(|index| self.all[*index as usize]).collect()
+        for t in cut.iter() {
+            let own = |list: &[u32]| t.map(|k| list[k]);
+            part.triangles.push(own(points));
+            part.lines.push(line);
+            if !uvs.is_empty() {
+                part.corners
+                    .uv_indices
+                    .push(if has_uvs { own(uvs) } else { NO_UVS });
+            }
+            if !normals.is_empty() {
+                part.corners.normal_indices.push(if has_normals {
+                    own(normals)
+                } else {
+                    NO_NORMALS
+                });
+            }
+        }
+        guess
     }
 }

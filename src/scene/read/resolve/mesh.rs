@@ -5,33 +5,46 @@ use rayon::prelude::*;
 use super::header::Header;
 use super::resolver::Resolver;
 use crate::geometry::Triangle;
-use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::VertexData;
 use crate::scene::read::error::SceneError;
 use crate::scene::read::mesh::Mesh;
 use crate::scene::warning::WarningCode;
 
 impl Resolver {
-    /// Adds a mesh. Triangles without area are left out: nothing can hit them, and they have no normal.
+    /// Adds a mesh in its own space.
     pub fn add_mesh(
         &mut self,
         header: &Header,
         material: u32,
-        mesh: Mesh,
+        mut mesh: Mesh,
+    ) -> Result<(), SceneError> {
+        if let Some(map) = &header.to_world {
+            mesh.place(map);
+        }
+        self.add_placed(header, material, mesh)
+    }
+
+    /// Adds a mesh whose points and normals are in world space. Triangles without area are left out: nothing can hit them,
+    /// and they have no normal.
+    pub fn add_placed(
+        &mut self,
+        header: &Header,
+        material: u32,
+        mut mesh: Mesh,
     ) -> Result<(), SceneError> {
         self.begin(&header.name, material, &header.path)?;
+        if header.to_world.is_some_and(|map| map.flips_handedness()) {
+            mesh.turn();
+            if let Some(object) = self.scene.objects.last_mut() {
+                object.mirrored = true;
+            }
+        }
         let Mesh {
-            mut points,
+            points,
             mut triangles,
             lines,
             mut corners,
         } = mesh;
-        if let Some(map) = &header.to_world {
-            carry(map, (&mut points, &mut triangles, &mut corners));
-            if let Some(object) = self.scene.objects.last_mut() {
-                object.mirrored = map.flips_handedness();
-            }
-        }
         let triangle = |t: &[u32; 3]| Triangle {
             corners: t.map(|i| points[i as usize]),
         };
@@ -79,31 +92,6 @@ impl Resolver {
             object.vertices = (!plain).then_some(corners);
         }
         Ok(())
-    }
-}
-
-/// Carries a mesh into the world.
-fn carry(
-    map: &Transform,
-    (points, triangles, corners): (&mut [DVec3], &mut Vec<[u32; 3]>, &mut VertexData),
-) {
-    points.par_iter_mut().for_each(|p| *p = map.point(*p));
-    for n in corners.normals.iter_mut().filter(|n| **n != DVec3::ZERO) {
-        *n = map.normal(*n);
-    }
-    // In a mirror, what ran counter-clockwise runs clockwise.
-    if map.flips_handedness() {
-        // Without texture coordinates of its own a triangle's u and v are the shares of its second and third corner.
-        if corners.uv_indices.is_empty() {
-            corners.uvs = vec![DVec2::ZERO, DVec2::X, DVec2::Y];
-            corners.uv_indices = vec![[0, 1, 2]; triangles.len()];
-        }
-        let lists = [triangles, &mut corners.normal_indices];
-        for list in lists.into_iter().chain([&mut corners.uv_indices]) {
-            for triangle in list.iter_mut() {
-                triangle.swap(1, 2);
-            }
-        }
     }
 }
 

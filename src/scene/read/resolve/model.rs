@@ -4,8 +4,10 @@ use super::checks;
 use super::header::Header;
 use super::resolver::Resolver;
 use crate::scene::check;
-use crate::scene::read::error::{FieldPath, SceneError};
+use crate::scene::limits::MAX_NAME_BYTES;
+use crate::scene::read::error::SceneError;
 use crate::scene::read::obj;
+use crate::scene::warning::WarningCode;
 use crate::shading::Material;
 
 impl Resolver {
@@ -18,7 +20,7 @@ impl Resolver {
         header: &Header,
     ) -> Result<(), SceneError> {
         let path = header.path.key("file");
-        let text = self.files.read(file).map_err(|p| path.wrap(p))?;
+        let text = self.files.read_model(file).map_err(|p| path.wrap(p))?;
         let text = text.ok_or_else(|| {
             path.error(
                 format!("there is no file `{file}`"),
@@ -27,27 +29,28 @@ impl Resolver {
         })?;
         let own_materials = material.is_none();
         let (files, warnings) = (&mut self.files, &mut self.warnings);
-        let read = obj::parse(&text, file, files, warnings, own_materials)?;
+        let read = obj::parse(text, file, files, warnings, own_materials)?;
 
-        if let Some(material) = material {
-            let mut parts = read.parts.into_iter();
-            return parts.try_for_each(|part| self.add_mesh(header, material, part.mesh));
+        let mut shared = read.shared;
+        if let Some(map) = &header.to_world {
+            shared.place(map);
         }
         let mut materials = Vec::with_capacity(read.materials.len());
         for found in read.materials {
-            materials.push(self.own_material(found, &header.name, &header.path)?);
+            materials.push(self.own_material(found, header)?);
         }
         let triangles = read.parts.iter().map(|part| part.mesh.triangles.len());
         let (parts, triangles) = (read.parts.len(), triangles.sum());
         self.reserve(parts, triangles, &header.path)?;
         let several = parts > 1;
         for (i, part) in read.parts.into_iter().enumerate() {
-            let material = match part.material.and_then(|m| materials.get(m)) {
-                Some(material) => *material,
-                None => self.grey(&header.path)?,
+            let material = match (material, part.material.and_then(|m| materials.get(m))) {
+                (Some(material), _) => material,
+                (None, Some(material)) => *material,
+                (None, None) => self.grey(header)?,
             };
             let name = if several {
-                self.part_name(&header.name, &part.name, i)
+                self.part_name(header, &part.name, i)
             } else {
                 header.name.clone()
             };
@@ -56,49 +59,70 @@ impl Resolver {
                 to_world: header.to_world,
                 path: header.path.clone(),
             };
-            self.add_mesh(&header, material, part.mesh)?;
+            self.add_placed(&header, material, part.mesh.sharing(&shared))?;
         }
         Ok(())
     }
 
     /// Name for a part of a model that no other object has: its own, or one with its index.
-    fn part_name(&self, object: &str, part: &str, index: usize) -> String {
+    fn part_name(&mut self, object: &Header, part: &str, index: usize) -> String {
         let part = if part.is_empty() { "part" } else { part };
-        let name = format!("{object}/{part}");
-        if self.objects.contains_key(&name) {
-            format!("{name}#{index}")
-        } else {
-            name
+        let name = format!("{}/{}", object.name, self.plain(part, object));
+        let numbered = (index..).map(|index| format!("{name}#{index}"));
+        let mut all = std::iter::once(name.clone()).chain(numbered);
+        all.find(|name| !self.objects.contains_key(name))
+            .unwrap_or(name)
+    }
+
+    /// A name of a model as it can be shown after that of its object: not endless, and without control characters.
+    fn plain(&mut self, name: &str, object: &Header) -> String {
+        let most = MAX_NAME_BYTES.saturating_sub(object.name.len() + 12).max(8);
+        let mut plain = String::new();
+        for letter in name
+            .chars()
+            .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        {
+            if plain.len() + letter.len_utf8() > most {
+                break;
+            }
+            plain.push(letter);
         }
+        if plain != name {
+            let what =
+                "a name in the model is too long or has control characters: it is shown changed";
+            let cure = format!(
+                "write short names, such as `{}`",
+                plain.chars().take(12).collect::<String>()
+            );
+            self.warnings
+                .add(WarningCode::ChangedName, object.path.error(what, cure));
+        }
+        plain
     }
 
     /// A material of an MTL file. If the scene has one of that name already, the object's name goes before it.
-    fn own_material(
-        &mut self,
-        mut material: Material,
-        object: &str,
-        path: &FieldPath,
-    ) -> Result<u32, SceneError> {
-        let known = |name: &str| self.materials.contains_key(name);
-        if known(&material.name) {
-            material.name = format!("{object}/{}", material.name);
+    fn own_material(&mut self, mut material: Material, object: &Header) -> Result<u32, SceneError> {
+        material.name = self.plain(&material.name, object);
+        if self.materials.contains_key(&material.name) {
+            material.name = format!("{}/{}", object.name, material.name);
         }
-        let index = self.scene.materials.len();
-        if known(&material.name) {
-            material.name = format!("{}#{index}", material.name);
+        let name = material.name.clone();
+        let mut index = self.scene.materials.len();
+        while self.materials.contains_key(&material.name) {
+            material.name = format!("{name}#{index}");
+            index += 1;
         }
-        checks::name(&material.name, path)?;
-        check::material(&material, path, &mut self.warnings);
+        checks::name(&material.name, &object.path)?;
+        check::material(&material, &object.path, &mut self.warnings);
         Ok(self.add_material(material))
     }
 
     /// Index of the grey material for parts without one.
-    fn grey(&mut self, path: &FieldPath) -> Result<u32, SceneError> {
+    fn grey(&mut self, object: &Header) -> Result<u32, SceneError> {
         let name = "grey (no material given)";
         if let Some(&index) = self.materials.get(name) {
             return Ok(index);
         }
-        let grey = obj::default_material(name);
-        self.own_material(grey, "", path)
+        self.own_material(obj::default_material(name), object)
     }
 }

@@ -1,5 +1,7 @@
 //! LocalSurface of an object in its own space, by the object's kind.
 
+use std::sync::Arc;
+
 use super::checks::{direction, directions, point, points, positive};
 use crate::geometry::{Aabb, Cuboid, Disc, Plane, Shape, Sphere};
 use crate::math::{DVec2, DVec3};
@@ -56,11 +58,11 @@ fn triangle(file: &TriangleFile, path: &FieldPath) -> Result<Mesh, SceneError> {
     let points = points(&file.corners, &path.key("corners"))?;
     let mut corners = VertexData::default();
     if let Some(normals) = &file.normals {
-        corners.normals = directions(normals, &path.key("normals"))?;
+        corners.normals = directions(normals, &path.key("normals"))?.into();
         corners.normal_indices = vec![[0, 1, 2]];
     }
     Ok(Mesh {
-        points,
+        points: points.into(),
         triangles: vec![[0, 1, 2]],
         corners,
         ..Mesh::default()
@@ -88,10 +90,10 @@ fn bounds(min: Triple, max: Triple, path: &FieldPath) -> Result<Aabb, SceneError
 fn parallelogram(corner: DVec3, u: DVec3, v: DVec3) -> Mesh {
     let triangles = vec![[0, 1, 2], [0, 2, 3]];
     Mesh {
-        points: vec![corner, corner + u, corner + u + v, corner + v],
+        points: vec![corner, corner + u, corner + u + v, corner + v].into(),
         corners: VertexData {
             uv_indices: triangles.clone(),
-            uvs: vec![DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y],
+            uvs: vec![DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].into(),
             ..VertexData::default()
         },
         triangles,
@@ -124,7 +126,7 @@ fn mesh(file: &MeshFile, path: &FieldPath) -> Result<Mesh, SceneError> {
     let mut corners = VertexData::default();
     if let Some(normals) = &file.normals {
         check_count(normals.len(), "normals")?;
-        corners.normals = directions(normals, &path.key("normals"))?;
+        corners.normals = directions(normals, &path.key("normals"))?.into();
         corners.normal_indices.clone_from(&file.triangles);
     }
     if let Some(uvs) = &file.uvs {
@@ -132,11 +134,11 @@ fn mesh(file: &MeshFile, path: &FieldPath) -> Result<Mesh, SceneError> {
         for (i, [u, v]) in uvs.iter().enumerate() {
             point([*u, *v, 0.0], &path.key("uvs").index(i))?;
         }
-        corners.uvs = uvs.iter().copied().map(DVec2::from).collect();
+        corners.uvs = Arc::new(uvs.iter().copied().map(DVec2::from).collect());
         corners.uv_indices.clone_from(&file.triangles);
     }
     Ok(Mesh {
-        points: points(&file.vertices, &path.key("vertices"))?,
+        points: points(&file.vertices, &path.key("vertices"))?.into(),
         triangles: file.triangles.clone(),
         lines: Vec::new(),
         corners,

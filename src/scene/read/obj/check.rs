@@ -1,0 +1,268 @@
+//! The check in front of `tobj`: what it would refuse, mistake or take for good is mended, noted, or refused with its line.
+//!
+//! The mended text has points, texture coordinates, normals and faces, no names. It ends with texture coordinates and a
+//! normal that stand for none, because `tobj` gives a corner without them those of its neighbour.
+
+use std::fmt::Write;
+
+use crate::math::DVec3;
+use crate::scene::limits::{MAX_COORDINATE, MAX_PRIMITIVES};
+use crate::scene::read::error::Problem;
+use crate::scene::read::notes::Notes;
+use crate::scene::read::text::{Lines, name, number, words};
+use crate::scene::warning::WarningCode;
+
+/// Faces of one model of `tobj`, which needs a hundred bytes for each until the model ends.
+const FACES: usize = 1 << 15;
+
+/// Faces with one name and one material.
+#[derive(Clone, Debug, Default)]
+pub struct FaceRun {
+    /// What follows `o` or `g`.
+    pub name: String,
+    /// What follows `usemtl`, and its line.
+    pub material: (String, usize),
+    /// The number of its first face, and how many triangles its faces are.
+    pub first: usize,
+    pub triangles: usize,
+}
+
+/// A file after the check.
+#[derive(Debug, Default)]
+pub struct Checked {
+    /// The text for `tobj`.
+    pub text: String,
+    /// The line of each face.
+    pub faces: Vec<u32>,
+    /// The runs of its faces.
+    pub runs: Vec<FaceRun>,
+    /// The files of materials that it names, with their lines.
+    pub libraries: Vec<(String, usize)>,
+    /// What is left out or guessed.
+    pub notes: Notes,
+    /// The line at hand.
+    line: usize,
+    /// Points, texture coordinates, normals: in the file, before this line, and the highest number that a face names.
+    totals: [usize; 3],
+    before: [usize; 3],
+    named: [usize; 3],
+    /// The run at hand, and if a face of it is still to come.
+    run: FaceRun,
+    is_new: bool,
+    is_smooth: bool,
+    triangles: usize,
+}
+
+/// What a line gives a number to: 0 for points, 1 for texture coordinates, 2 for normals.
+fn kind(key: &str) -> Option<usize> {
+    ["v", "vt", "vn"].iter().position(|known| *known == key)
+}
+
+/// Checks the text of an OBJ file; an error has its line.
+pub fn check(text: &str) -> Result<Checked, (usize, Problem)> {
+    let mut checked = Checked {
+        is_new: true,
+        ..Checked::default()
+    };
+    for (_, line) in Lines::new(text) {
+        if let Some(kind) = words(&line).next().and_then(kind) {
+            checked.totals[kind] += 1;
+        }
+    }
+    checked.text.reserve(text.len());
+    for (number, line) in Lines::new(text) {
+        checked.line = number;
+        checked.read(&line).map_err(|problem| (number, problem))?;
+    }
+    for (kind, none) in [(1, "vt nan nan\n"), (2, "vn 0 0 0\n")] {
+        checked.text += if checked.totals[kind] > 0 { none } else { "" };
+    }
+    Ok(checked)
+}
+
+impl Checked {
+    fn note(&mut self, code: WarningCode, about: &str) {
+        self.notes.add(code, about, self.line);
+    }
+
+    fn read(&mut self, line: &str) -> Result<(), Problem> {
+        let mut words = words(line);
+        let Some(key) = words.next() else {
+            return Ok(());
+        };
+        match key {
+            "v" | "vt" | "vn" => return self.vertex(key, &words.collect::<Vec<_>>()),
+            "f" | "fo" => return self.face(&words.collect::<Vec<_>>()),
+            "o" | "g" => (self.run.name, self.is_new) = (name(line), true),
+            "mtllib" => self.libraries.push((name(line), self.line)),
+            "usemtl" => {
+                let material = name(line);
+                if material.is_empty() {
+                    self.note(WarningCode::NoMaterialName, key);
+                }
+                self.is_new |= material != self.run.material.0;
+                self.run.material = (material, self.line);
+            }
+            "s" => self.is_smooth = !matches!(words.next(), None | Some("off" | "0")),
+            _ => self.note(WarningCode::LeftOut, key),
+        }
+        Ok(())
+    }
+
+    /// A point with its weight, which divides, or its colour; texture coordinates; a normal.
+    fn vertex(&mut self, key: &str, words: &[&str]) -> Result<(), Problem> {
+        let read = words.iter().map_while(|word| number(word, MAX_COORDINATE));
+        let numbers: Vec<f64> = read.take(4).collect();
+        let mut kept = numbers.len().min(3);
+        match (key, &numbers[..]) {
+            ("v", [x, y, z, rest @ ..]) => match (words.len(), rest) {
+                (3, _) => {}
+                (4, [w]) if is_weight(*w, [*x, *y, *z]) => kept = 4,
+                (4, _) => self.note(WarningCode::BadVertexData, "the weight of v"),
+                (5, _) => self.note(WarningCode::ExtraNumbers, key),
+                _ => self.note(WarningCode::VertexColors, key),
+            },
+            ("v", _) => return Err(broken(words, numbers.len())),
+            // The second is 0 if it is not said.
+            ("vt", [u]) if words.len() == 1 => {
+                let _ = write!(self.text, "vt {u} 0");
+                kept = 0;
+            }
+            ("vt", [_, _, ..]) => kept = 2,
+            ("vn", [x, y, z, ..]) if DVec3::new(*x, *y, *z).try_normalize().is_some() => {}
+            _ => {
+                self.note(WarningCode::BadVertexData, key);
+                self.text += if key == "vt" {
+                    "vt nan nan"
+                } else {
+                    "vn 0 0 0"
+                };
+                kept = 0;
+            }
+        }
+        if kept > 0 {
+            self.text += key;
+        }
+        for word in &words[..kept] {
+            self.text += " ";
+            self.text += word;
+        }
+        self.text += "\n";
+        self.before[kind(key).unwrap_or(0)] += 1;
+        Ok(())
+    }
+
+    fn face(&mut self, words: &[&str]) -> Result<(), Problem> {
+        if words.len() < 3 {
+            self.note(WarningCode::FewCorners, "f");
+            return Ok(());
+        }
+        // Asked before there are many more: a face is a few letters, a triangle in memory a hundred bytes.
+        self.triangles += words.len() - 2;
+        if self.triangles > MAX_PRIMITIVES {
+            let what = format!("here are more than {MAX_PRIMITIVES} triangles");
+            return Err(Problem::new(what, "use a model with fewer triangles"));
+        }
+        if std::mem::take(&mut self.is_new) {
+            self.run.first = self.faces.len();
+            self.runs.push(self.run.clone());
+        }
+        if let Some(run) = self.runs.last_mut() {
+            run.triangles += words.len() - 2;
+        }
+        // A model of `tobj` ends where it is large and names nothing that comes later.
+        let is_full = self.faces.len() % FACES == FACES - 1;
+        if is_full && (0..3).all(|kind| self.named[kind] <= self.before[kind]) {
+            self.text += "g\n";
+        }
+        self.text += "f";
+        let mut is_flat = false;
+        for word in words {
+            is_flat |= !self.corner(word)?;
+        }
+        self.text += "\n";
+        self.faces.push(self.line as u32);
+        if self.is_smooth && is_flat {
+            self.note(WarningCode::SmoothingGroup, "s");
+        }
+        Ok(())
+    }
+
+    /// Hands on a corner; true if it has a normal.
+    fn corner(&mut self, corner: &str) -> Result<bool, Problem> {
+        let (mut found, mut is_good) = ([0; 3], true);
+        for (kind, part) in corner.split('/').enumerate() {
+            match (kind, self.index(kind, part)) {
+                (_, Some(index)) => found[kind] = index,
+                (0, None) => return Err(self.no_point(corner)),
+                (1 | 2, None) if part.is_empty() => {}
+                (kind, None) => {
+                    is_good = false;
+                    let (code, about) = match kind {
+                        1 | 2 => (WarningCode::DanglingIndex, ["vt", "vn"][kind - 1]),
+                        _ => (WarningCode::ExtraNumbers, "f"),
+                    };
+                    self.note(code, about);
+                }
+            }
+        }
+        // The number behind the last stands for none.
+        let none = |kind: usize| found[kind] == 0 && self.totals[kind] > 0;
+        let handed =
+            [0, 1, 2].map(|kind| found[kind] + usize::from(none(kind)) * (self.totals[kind] + 1));
+        self.named = [0, 1, 2].map(|kind| self.named[kind].max(handed[kind]));
+        let [v, vt, vn] = handed;
+        // Writing to a string cannot fail.
+        let _ = match (vt, vn) {
+            _ if is_good && handed == found => {
+                self.text += " ";
+                self.text += corner;
+                Ok(())
+            }
+            (0, 0) => write!(self.text, " {v}"),
+            (_, 0) => write!(self.text, " {v}/{vt}"),
+            (0, _) => write!(self.text, " {v}//{vn}"),
+            _ => write!(self.text, " {v}/{vt}/{vn}"),
+        };
+        Ok(found[2] > 0)
+    }
+
+    /// A number of a corner, from 1. Files count from 1 up, or from -1 down: backwards from the last one so far.
+    fn index(&self, kind: usize, part: &str) -> Option<usize> {
+        let total = *self.totals.get(kind)?;
+        let index: isize = part.parse().ok()?;
+        let from = if index < 0 { self.before[kind] + 1 } else { 0 };
+        let found = from.checked_add_signed(index)?;
+        (1..=total).contains(&found).then_some(found)
+    }
+
+    fn no_point(&self, corner: &str) -> Problem {
+        let [before, total] = [self.before[0], self.totals[0]];
+        let what = format!("the corner `{corner}` names no vertex: there are {total}");
+        let cure = format!(
+            "name a vertex from 1 to {total}, or from -1 to -{before} to count backwards: v, v/vt, v//vn or v/vt/vn"
+        );
+        Problem::new(what, cure)
+    }
+}
+
+/// True if a point can be divided by its weight.
+fn is_weight(w: f64, point: [f64; 3]) -> bool {
+    w.abs() >= 1e-9 && point.iter().all(|x| (x / w).abs() <= MAX_COORDINATE)
+}
+
+/// Why the words are no point, of which the first `good` are numbers.
+fn broken(words: &[&str], good: usize) -> Problem {
+    match words.get(good) {
+        Some(word) => Problem::new(
+            format!("`v` has `{word}`, which is no usable number"),
+            format!(
+                "write numbers with a decimal point, such as 0.5, from -{MAX_COORDINATE:e} to {MAX_COORDINATE:e}"
+            ),
+        ),
+        None => Problem::new(
+            format!("`v` needs 3 numbers and has {good}"),
+            "complete the line; perhaps the file was cut off",
+        ),
+    }
+}
