@@ -15,5 +15,5 @@ pub mod tile;
 pub mod tile_batch;
 pub mod whitted;
 
-pub use film::{Film, NonFinite, draw, render, thread_pool};
+pub use film::{CutShare, Film, NonFinite, draw, render, thread_pool};
 pub use pixel::{Pixel, PixelEstimator, pixel};

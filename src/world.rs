@@ -7,6 +7,7 @@ pub mod interface;
 pub mod medium;
 mod rank;
 mod ray_budget;
+mod ray_cuts;
 mod shells;
 
 use crate::accel::{Accel, AccelKind, Progress, exit_of_solid};
@@ -21,6 +22,7 @@ pub use contact::Contact;
 pub use interface::{Found, Interface, NextHit};
 pub use medium::{Crossing, OpenMedia};
 pub use ray_budget::RayBudget;
+pub use ray_cuts::RayCuts;
 
 /// Scene and the acceleration structure over it: what can be traced.
 #[derive(Clone, Debug)]

@@ -22,7 +22,7 @@ use crate::accel::fastest;
 use crate::lab::converge::{Convergence, StopReason, converge};
 use crate::probe::Silent;
 use crate::sampling::Sampler;
-use crate::scene::Settings;
+use crate::scene::{Scene, Settings, Warning};
 use crate::trace::Counts;
 use crate::tracer::image::terminal;
 use crate::tracer::{Film, render};
@@ -85,6 +85,10 @@ impl Render {
         let seconds = start.elapsed().as_secs_f64();
 
         let Made { film, settings, .. } = &made;
+        let name = &self.scene.scene;
+        let cut = film.cuts.warning(settings, self.scene.label());
+        let mut warnings = world.scene.warnings.clone();
+        warnings.extend(cut.clone());
         if let Some(file) = picture {
             files::picture(file, film, settings.image.exposure)?;
         } else {
@@ -99,20 +103,38 @@ impl Render {
             files::samples(file, film)?;
         }
         if let Some(counts) = &made.counts {
-            stats::tell(settings, counts, seconds, self.json.then_some(&world.scene))?;
+            stats::tell(
+                settings,
+                (counts, film),
+                seconds,
+                self.json.then_some(&warnings),
+            )?;
         }
-        let (name, notices) = (&self.scene.scene, self.scene.notices);
         if let (Some(found), Some(wanted)) = (&made.found, self.until_error) {
             eprint!("{}", report::passes(found, wanted, (name, &world.scene)));
         }
+        self.completion(&made, &world.scene, (cut, warnings.len()), &interrupted)
+    }
+
+    /// Tells what was wrong with the picture, of which `cut` is a warning among so many, and what it came to.
+    fn completion(
+        &self,
+        made: &Made,
+        scene: &Scene,
+        (cut, warnings): (Option<Warning>, usize),
+        interrupted: &AtomicBool,
+    ) -> Result<Completion, Failure> {
+        let Made { film, settings, .. } = made;
+        let (name, notices) = (&self.scene.scene, self.scene.notices);
         if let Some(((x, y), sample)) = film.non_finite.first {
             let count = film.non_finite.count;
-            let words = command_line::words(name, settings, &world.scene);
+            let words = command_line::words(name, settings, scene);
             notices.warn(format!(
                 "samples without a finite radiance: {count}; they count as black. The first is sample {sample} \
 of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
             ));
         }
+        notices.tell(cut.as_slice());
         if interrupted.load(Ordering::Relaxed) {
             notices.warn("interrupted: the tiles that were not reached are black");
             return Ok(Completion::Cut);
@@ -121,8 +143,10 @@ of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
             notices.warn(CUT);
             return Ok(Completion::Cut);
         }
+        notices.deny(self.scene.label(), warnings)?;
         let missed = made
             .found
+            .as_ref()
             .is_some_and(|found| found.stop != StopReason::Reached);
         Ok(if missed {
             Completion::Cut

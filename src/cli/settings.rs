@@ -172,7 +172,7 @@ impl SceneArgs {
     }
 
     /// Name of the scene in messages.
-    fn label(&self) -> &str {
+    pub fn label(&self) -> &str {
         match self.scene.as_str() {
             "-" => STANDARD_INPUT,
             name => name,

@@ -63,7 +63,7 @@ impl Trace {
             endings: self.format.endings(),
         };
         let [file] = output::open(&scene.files, [target])?;
-        let (world, settings) = self.scene.build(scene, clearest)?;
+        let (mut world, settings) = self.scene.build(scene, clearest)?;
         check::rays(&settings)?;
         let (x, y) = self.pixel;
         let (width, height) = settings.size();
@@ -75,6 +75,9 @@ impl Trace {
             )));
         }
         let trace = trace_pixel(&world, &settings, self.pixel, self.traversal);
+        let cut = trace.pixel.cut_warning(&settings, self.scene.label());
+        self.scene.notices.tell(cut.as_slice());
+        world.scene.warnings.extend(cut);
         let document = document::of(View {
             world: &world,
             settings: &settings,
@@ -101,6 +104,8 @@ impl Trace {
             self.scene.notices.warn(super::render::CUT);
             return Ok(Completion::Cut);
         }
+        let warnings = world.scene.warnings.len();
+        self.scene.notices.deny(self.scene.label(), warnings)?;
         Ok(Completion::Whole)
     }
 }

@@ -3,6 +3,7 @@
 use super::progressive::{BLOCKS, Missing};
 use super::window::Window;
 use crate::math::Rgb;
+use crate::tracer::CutShare;
 
 /// The rendered part of an image. The cursor is always inside of the window.
 #[derive(Clone, Debug, Default)]
@@ -13,6 +14,8 @@ pub struct PartialPicture {
     pub window: Window,
     /// The pixel under the cursor.
     pub cursor: (u32, u32),
+    /// What the limits of recursion left out of what was rendered.
+    pub cuts: CutShare,
     pixels: Vec<Option<Rgb>>,
     done: usize,
 }
@@ -30,6 +33,7 @@ impl PartialPicture {
                 height: visible.1.clamp(1, size.1),
             },
             cursor: (cursor.0.min(size.0 - 1), cursor.1.min(size.1 - 1)),
+            cuts: CutShare::default(),
             pixels: Vec::new(),
             done: 0,
         };
@@ -106,6 +110,7 @@ impl PartialPicture {
     /// Nothing is known any more.
     pub fn forget(&mut self) {
         self.pixels.fill(None);
+        self.cuts = CutShare::default();
         self.done = 0;
     }
 

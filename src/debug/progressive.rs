@@ -3,10 +3,9 @@
 use rayon::prelude::*;
 
 use super::window::Window;
-use crate::math::Rgb;
 use crate::probe::Silent;
 use crate::scene::Settings;
-use crate::tracer::{pixel, thread_pool};
+use crate::tracer::{Pixel, pixel, thread_pool};
 use crate::world::World;
 
 /// The sides of the blocks of the passes, in pixels.
@@ -15,8 +14,8 @@ pub const BLOCKS: [u32; 5] = [16, 8, 4, 2, 1];
 /// Pixels that are reported at once.
 const BATCH: usize = 32;
 
-/// Rendered pixels with their linear colours.
-pub type Pixels = Vec<((u32, u32), Rgb)>;
+/// Rendered pixels.
+pub type Pixels = Vec<((u32, u32), Pixel)>;
 
 /// The part of an image that is to be rendered.
 #[derive(Clone, Debug)]
@@ -48,7 +47,7 @@ pub fn render(
                     if stopped() {
                         return;
                     }
-                    done.push((*at, pixel(world, settings, *at, &mut Silent).color));
+                    done.push((*at, pixel(world, settings, *at, &mut Silent)));
                 }
                 tell(done);
             });

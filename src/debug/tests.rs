@@ -221,8 +221,8 @@ fn progressive_pixels_are_those_of_the_tracer() {
     let rendered = rendered.into_inner().expect("no panic");
     assert_eq!(rendered.len(), picture.window.area());
     for (at, color) in rendered {
-        assert_eq!(color, pixel(&world, &settings, at, &mut Silent).color);
-        picture.set(at, color);
+        assert_eq!(color, pixel(&world, &settings, at, &mut Silent));
+        picture.set(at, color.color);
     }
     assert_eq!(picture.progress(), 1.0);
     // Another size keeps the cursor at the corresponding pixel; the same size changes nothing.

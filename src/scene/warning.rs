@@ -114,6 +114,8 @@ pub enum WarningCode {
     ExtraNumbers,
     /// A name in a model that is too long to be shown, or has control characters.
     ChangedName,
+    /// Rays that a limit left out, with much of the picture's light.
+    RaysCut,
     /// More kinds of warnings than are kept.
     MoreWarnings,
 }

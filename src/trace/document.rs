@@ -55,6 +55,9 @@ pub struct Document {
     pub color: PixelColor,
     /// Rays that the pixel cost, surfaces that a ray went straight through included.
     pub rays: u64,
+    /// Rays that `depth` and `min_weight` left out; absent if there are none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cut: Option<DocumentCuts>,
     /// Of the pixel's luminance, estimated from the spread of its samples; absent if nothing is known of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard_error: Option<f64>,
@@ -66,6 +69,18 @@ pub struct Document {
     pub truncated: Option<u64>,
     /// The samples of the pixel, in order.
     pub samples: Vec<SampleTree>,
+}
+
+/// Rays that the limits of recursion left out.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DocumentCuts {
+    /// Beyond the depth.
+    pub depth: u64,
+    /// Of too little weight.
+    pub weight: u64,
+    /// The sum of the luminances of their throughputs, over the number of samples: the share of the pixel's light that is
+    /// missing if they would have met what is as bright as the rest.
+    pub share: f64,
 }
 
 /// A scene by name, with a hash of its files.

@@ -10,7 +10,7 @@ use crate::probe::{Absence, Event, NONE, Probe, RayKind, RayRecord, Term, tell};
 use crate::scene::limits::MAX_DEPTH;
 use crate::scene::{Budget, Settings};
 use crate::shading::{FresnelSplit, Secondary, ShadingPoint};
-use crate::world::{OpenMedia, RayBudget, Scratch, World};
+use crate::world::{OpenMedia, RayBudget, RayCuts, Scratch, World};
 
 /// Ray tracer of one pixel after another, which tells a probe of all that happens.
 pub struct Tracer<'a, P> {
@@ -21,6 +21,8 @@ pub struct Tracer<'a, P> {
     pub(super) budget: Budget,
     /// Rays of the present pixel.
     pub rays: RayBudget,
+    /// Rays of the present sample that limits left out.
+    pub cuts: RayCuts,
     pub(super) shadow_batch: ShadowBatch,
     pub(super) scratch: Scratch,
 }
@@ -84,6 +86,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
             probe,
             budget,
             rays: RayBudget::new(budget.further_rays),
+            cuts: RayCuts::default(),
             shadow_batch: ShadowBatch::default(),
             scratch: Scratch::default(),
         }
@@ -113,11 +116,14 @@ impl<'a, P: Probe> Tracer<'a, P> {
         path: &Path,
         ray: Secondary,
     ) -> Result<Secondary, Absence> {
+        let throughput = path.throughput * ray.weight;
         if path.depth >= self.settings.recursion.depth {
+            self.cuts.depth(throughput);
             return Err(Absence::DepthLimit);
         }
-        let weight = (path.throughput * ray.weight).max_channel();
+        let weight = throughput.max_channel();
         if weight < self.settings.recursion.min_weight {
+            self.cuts.weight(throughput);
             return Err(Absence::MinWeight { weight });
         }
         if path.depth >= MAX_DEPTH {

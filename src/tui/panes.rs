@@ -12,5 +12,6 @@ pub mod steps;
 pub mod text;
 pub mod theme;
 pub mod tree;
+pub mod warnings;
 
 pub use screen::draw;

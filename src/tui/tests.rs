@@ -11,3 +11,4 @@ mod picture;
 mod sizes;
 mod support;
 mod walk;
+mod warnings;

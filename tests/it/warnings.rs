@@ -2,6 +2,7 @@
 
 mod bodies;
 mod built_in;
+mod cuts;
 mod light;
 mod places;
 mod values;

@@ -3,9 +3,9 @@
 use super::settings::settings;
 use super::step::finite;
 use super::{
-    AbsentRay, Document, FormatVersion, HitPoint, ImageSize, LightSummary, MediumBoundary,
-    PassedSurface, PixelColor, PixelIndex, RayNode, RayOutcome, SampleTree, SceneId, TermValue,
-    step,
+    AbsentRay, Document, DocumentCuts, FormatVersion, HitPoint, ImageSize, LightSummary,
+    MediumBoundary, PassedSurface, PixelColor, PixelIndex, RayNode, RayOutcome, SampleTree,
+    SceneId, TermValue, step,
 };
 use crate::math::Rgb;
 use crate::probe::{Absence, Event, NONE, RayKind};
@@ -38,6 +38,11 @@ pub fn of(view: View) -> Document {
             srgb8: (linear * view.settings.image.exposure).to_srgb8(),
         },
         rays: trace.pixel.rays,
+        cut: (!trace.pixel.cuts.is_empty()).then(|| DocumentCuts {
+            depth: trace.pixel.cuts.by_depth,
+            weight: trace.pixel.cuts.by_weight,
+            share: trace.pixel.cut_share(),
+        }),
         standard_error: finite(trace.pixel.error),
         spoiled: trace.pixel.non_finite,
         truncated: (trace.tree.dropped > 0).then_some(trace.tree.dropped),

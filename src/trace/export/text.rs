@@ -22,6 +22,13 @@ impl fmt::Display for Text<'_> {
             rgb(document.color.linear),
             document.rays,
         )?;
+        if let Some(cut) = document.cut {
+            let (depth, weight, share) = (cut.depth, cut.weight, num(100.0 * cut.share));
+            writeln!(
+                f,
+                "rays left out: {depth} by depth, {weight} by weight, with up to {share} % of its light"
+            )?;
+        }
         if let Some(error) = document.standard_error {
             let error = num(error);
             writeln!(f, "standard error of its luminance, estimated: {error}")?;

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::CutShare;
 use crate::math::Rgb;
 use crate::scene::Settings;
 use crate::tracer::pixel::Pixel;
@@ -26,6 +27,8 @@ pub struct Film {
     pub errors: Vec<f64>,
     /// Samples whose radiance was NaN or infinite.
     pub non_finite: NonFinite,
+    /// What the limits of recursion left out.
+    pub cuts: CutShare,
 }
 
 /// Samples whose radiance was NaN or infinite; they count as black.
@@ -76,6 +79,7 @@ impl Film {
         }
         self.rays += pixel.rays;
         self.truncated |= pixel.truncated;
+        self.cuts.add(at, pixel);
         if pixel.non_finite > 0 {
             self.non_finite = self.non_finite.plus(NonFinite {
                 count: u64::from(pixel.non_finite),
@@ -99,6 +103,7 @@ impl Film {
         self.rays += film.rays;
         self.truncated |= film.truncated;
         self.non_finite = self.non_finite.plus(film.non_finite);
+        self.cuts = self.cuts.plus(film.cuts);
     }
 }
 

@@ -1,6 +1,7 @@
 //! The estimate of a pixel: its colour, what is known of its error, and what it cost.
 
 use crate::math::Rgb;
+use crate::world::RayCuts;
 
 /// A traced pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +14,8 @@ pub struct Pixel {
     pub budget_used: u64,
     /// True if a limit cut it short, so that its colour is not all that was asked for.
     pub truncated: bool,
+    /// Rays that the limits of recursion left out.
+    pub cuts: RayCuts,
     /// The number of its samples.
     pub samples: u32,
     /// The estimated standard error of its luminance (see [`crate::sampling::batch_means`]); infinite if it is unknown.
@@ -31,10 +34,19 @@ impl Default for Pixel {
             rays: 0,
             budget_used: 0,
             truncated: false,
+            cuts: RayCuts::default(),
             samples: 0,
             error: f64::INFINITY,
             non_finite: 0,
             first_non_finite: None,
         }
+    }
+}
+
+impl Pixel {
+    /// The share of its light that it lost to the limits of recursion, if what was left out is as bright as the rest: the
+    /// weight of the rays that were left out, over its samples.
+    pub fn cut_share(&self) -> f64 {
+        self.cuts.weight / f64::from(self.samples.max(1))
     }
 }

@@ -211,6 +211,9 @@ impl PixelEstimator {
         let rays = tracer.rays;
         (self.pixel.rays, self.pixel.budget_used) = (rays.sent, rays.used);
         self.pixel.truncated = rays.truncated;
+        if !tracer.cuts.is_empty() {
+            self.pixel.cuts = self.pixel.cuts.plus(std::mem::take(&mut tracer.cuts));
+        }
         let index = self.pixel.samples;
         self.pixel.samples += 1;
         let radiance = traced.finite_or_black();

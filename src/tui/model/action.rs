@@ -17,6 +17,8 @@ pub enum Action {
     Mouse,
     /// Show or hide which effects the scene calls for.
     Effects,
+    /// Show or hide the warnings about the scene.
+    Warnings,
     /// To the effect that stands so many rows below.
     Choose(i32),
     /// Leave the chosen effect out, or take it in again.

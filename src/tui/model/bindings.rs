@@ -85,6 +85,7 @@ pub const ACTIONS: &[Binding] = {
         row(Always, true, &[(ch('e'), A::Effects)], "effects", "Which effects the scene calls for, and why; each can be left out."),
         row(Always, true, &[(ch('c'), A::Convergence)], "convergence",
             "How the pixel under the cursor nears its value with more samples: a chart that grows."),
+        row(Always, false, &[(ch('w'), A::Warnings)], "warnings", "What of the scene can hardly be meant, and what to do."),
         row(Always, false, &[(ch('m'), A::Mouse)], "mouse", "Leave the mouse to the terminal, to select text, or take it again."),
         row(Always, true, &[(ch('?'), A::Help)], "help", "This list."),
         row(Always, true, &[(ch('q'), A::Back), (key(Esc), A::Back)], "back", "One level back; from the picture, quit."),

@@ -11,8 +11,8 @@ use super::message::Job;
 use super::options::Options;
 use super::placement::Placement;
 use crate::debug::{Axis, Convergence, ObjectOutline, PartialPicture, Session, outlines};
-use crate::scene::Settings;
 use crate::scene::effects::{Finding, findings};
+use crate::scene::{Settings, Warning};
 use crate::world::World;
 
 /// What lies over the panes.
@@ -20,6 +20,8 @@ use crate::world::World;
 pub enum Overlay {
     /// The help, from this line on.
     Help(u16),
+    /// The warnings, from this line on.
+    Warnings(u16),
     /// The number of an event is typed.
     GoTo(String),
     /// The effects, with this one chosen.
@@ -127,6 +129,16 @@ impl Model {
             (_, Some(_)) => Context::Tree,
             (_, None) => Context::Picture,
         }
+    }
+
+    /// The warnings about the scene, and about the picture as soon as all of it is there.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let mut warnings = self.world.scene.warnings.clone();
+        if self.picture.progress() >= 1.0 {
+            let cuts = &self.picture.cuts;
+            warnings.extend(cuts.warning(&self.settings, &self.options.scene));
+        }
+        warnings
     }
 
     /// The layout of the screen.

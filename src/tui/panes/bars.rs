@@ -34,6 +34,10 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         model.options.color,
     ));
     line.push_span(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays));
+    if !trace.pixel.cuts.is_empty() {
+        let (count, share) = (trace.pixel.cuts.count(), 100.0 * trace.pixel.cut_share());
+        line.push_span(format!("  {count} cut: {share:.1} % of its light"));
+    }
     if trace.tree.dropped > 0 {
         let text = format!(
             "  the log is full: {} events were not kept",
@@ -49,6 +53,7 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
 pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
     let (x, y) = model.picture.cursor;
     let mut line = Line::from(Span::raw(format!(" ({x}, {y}) ")).bold());
+    warned(&mut line, model);
     remark(&mut line, deviations(&model.settings, &model.findings));
     match model.picture.exact((x, y)) {
         Some(color) => {
@@ -76,6 +81,17 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
         again.push_span(busy(model));
         write(buffer, area.x, area.y + 1, &again, area.width);
     }
+}
+
+/// How many warnings there are, and how to see them.
+fn warned(line: &mut Line, model: &Model) {
+    let told = match model.warnings().len() {
+        0 => return,
+        1 => " 1 warning: press w ".to_owned(),
+        n => format!(" {n} warnings: press w "),
+    };
+    line.push_span(Span::styled(told, theme::warning()));
+    line.push_span("  ");
 }
 
 /// What is not computed as usual: never to be overlooked.

@@ -8,6 +8,7 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
+use crate::scene::Scene;
 use crate::tracer::image::ColorLevel;
 use crate::tui::model::{Action, Message, Mouse, Options};
 use crate::tui::panes;
@@ -42,12 +43,20 @@ pub fn of_scene(
     height: u16,
     change: impl FnOnce(&mut Options),
 ) -> Program {
-    let name = scene.to_owned();
-    let scene = crate::scene::load(scene).expect("a built-in scene");
+    let read = crate::scene::load(scene).expect("a built-in scene");
+    of_loaded(scene, read, (width, height), change)
+}
+
+pub fn of_loaded(
+    name: &str,
+    scene: Scene,
+    (width, height): (u16, u16),
+    change: impl FnOnce(&mut Options),
+) -> Program {
     let settings = scene.settings;
     let world = World::new(scene, settings.accel);
     let mut options = Options {
-        scene: name,
+        scene: name.to_owned(),
         color: ColorLevel::True,
         mouse: true,
         threads: 2,

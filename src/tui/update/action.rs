@@ -16,11 +16,19 @@ pub fn act(model: &mut Model, action: Action) {
                 _ => Some(Overlay::Help(0)),
             }
         }
+        Action::Warnings => {
+            model.overlay = match model.overlay {
+                Some(Overlay::Warnings(_)) => None,
+                _ => Some(Overlay::Warnings(0)),
+            }
+        }
         Action::Mouse => catch_mouse(model),
-        Action::Rows(by) | Action::Move(_, by) if rows::scroll_help(model, by) => {}
-        Action::Pages(by) if rows::scroll_help(model, by * 10) => {}
-        // Any other key closes the help, and does no more.
-        _ if matches!(model.overlay, Some(Overlay::Help(_))) => model.overlay = None,
+        Action::Rows(by) | Action::Move(_, by) if rows::scroll_text(model, by) => {}
+        Action::Pages(by) if rows::scroll_text(model, by * 10) => {}
+        // Any other key closes the text, and does no more.
+        _ if matches!(model.overlay, Some(Overlay::Help(_) | Overlay::Warnings(_))) => {
+            model.overlay = None;
+        }
         Action::Effects => effects::show_or_hide(model),
         Action::Choose(by) => effects::choose(model, by),
         Action::Switch => effects::switch(model),

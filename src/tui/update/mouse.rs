@@ -11,7 +11,7 @@ pub fn point(model: &mut Model, mouse: Mouse, at: Position) {
     model.message = None;
     if model.overlay.is_some() {
         if let Mouse::Wheel(by) = mouse {
-            rows::scroll_help(model, by);
+            rows::scroll_text(model, by);
         }
         return;
     }

@@ -6,8 +6,9 @@ use crate::tui::model::{JobOutput, Model};
 pub fn take_in(model: &mut Model, output: JobOutput) {
     match output {
         JobOutput::Pixels(pixels) => {
-            for (at, color) in pixels {
-                model.picture.set(at, color);
+            for (at, pixel) in pixels {
+                model.picture.set(at, pixel.color);
+                model.picture.cuts.add(at, &pixel);
             }
         }
         JobOutput::Rendered => {}

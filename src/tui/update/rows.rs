@@ -1,7 +1,7 @@
-//! Moves by rows of the focused pane, and scrolling of the help.
+//! Moves by rows of the focused pane, and scrolling of the help and the warnings.
 
 use crate::tui::model::{Model, Overlay, Pane, inside};
-use crate::tui::panes::{details, help};
+use crate::tui::panes::{details, help, warnings};
 
 /// Goes down (up, if negative) by so many rows of the focused pane.
 pub fn move_by(model: &mut Model, by: i32) {
@@ -25,10 +25,14 @@ pub fn move_by(model: &mut Model, by: i32) {
     }
 }
 
-/// Scrolls the help. False if it is not shown.
-pub fn scroll_help(model: &mut Model, by: i32) -> bool {
-    let last = help::last_scroll(model.layout.screen);
-    let Some(Overlay::Help(scroll)) = &mut model.overlay else {
+/// Scrolls the help or the warnings. False if neither is shown.
+pub fn scroll_text(model: &mut Model, by: i32) -> bool {
+    let screen = model.layout.screen;
+    let last = match model.overlay {
+        Some(Overlay::Help(_)) => help::last_scroll(screen),
+        _ => warnings::last_scroll(model, screen),
+    };
+    let Some(Overlay::Help(scroll) | Overlay::Warnings(scroll)) = &mut model.overlay else {
         return false;
     };
     *scroll = scroll.saturating_add_signed(by as i16).min(last);

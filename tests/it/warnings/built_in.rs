@@ -1,9 +1,13 @@
 //! No false alarm: what comes with the program warns of nothing.
 
+use raytree::accel::AccelKind;
 use raytree::scene::check;
+use raytree::scene::effects::effects;
 use raytree::scene::error::FieldPath;
 use raytree::scene::warning::Warnings;
 use raytree::scene::{Scene, WarningCode, generated, list, load};
+use raytree::tracer::draw;
+use raytree::world::World;
 use strum::VariantArray as _;
 
 /// Every built-in scene, and the computed ones, of small sizes too.
@@ -36,6 +40,27 @@ fn built_in_scenes_warn_of_nothing_before_they_are_rendered() {
         assert_eq!(found, [], "{}", scene.name);
         let name = scene.name.clone();
         assert_eq!(super::all(scene), [], "{name}");
+    }
+}
+
+#[test]
+fn built_in_scenes_lose_no_light_that_can_be_seen() {
+    for scene in all() {
+        let small = if scene.settings.image.width > 400 {
+            (64, 51)
+        } else {
+            (160, 120)
+        };
+        let settings = scene.settings.with(|s| {
+            s.effects = effects(&scene);
+            (s.image.width, s.image.height) = small;
+            s.pixel.samples = s.pixel.samples.min(4);
+            s.light.samples = 1;
+        });
+        let world = World::new(scene, AccelKind::Wide);
+        let cuts = draw(&world, &settings, 0).cuts;
+        let name = &world.scene.name;
+        assert_eq!(cuts.warning(&settings, name), None, "{name}: {cuts}");
     }
 }
 
