@@ -43,7 +43,7 @@ pub enum TreeQuery {
     /// A property.
     Is(Property),
     /// A quantity beside a number; false where the ray has no such quantity.
-    Compare(Quantity, Comparison, f64),
+    Compare(Quantity, Relation, f64),
 }
 
 /// A property that a ray has or has not.
@@ -73,7 +73,7 @@ pub enum Property {
 
 /// How a quantity and a number are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Comparison {
+pub enum Relation {
     /// Less.
     Less,
     /// Less or equal.
@@ -162,7 +162,7 @@ impl Property {
     }
 }
 
-impl Comparison {
+impl Relation {
     fn holds(self, value: f64, number: f64) -> bool {
         match self {
             Self::Less => value < number,

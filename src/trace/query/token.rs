@@ -1,6 +1,6 @@
 //! Tokens of a query: brackets, comparisons and words.
 
-use super::Comparison;
+use super::Relation;
 use super::error::{QueryError, error};
 
 /// Bytes of a query at most.
@@ -14,7 +14,7 @@ pub enum Token {
     /// `)`
     Close,
     /// `<` and the like.
-    Compare(Comparison),
+    Compare(Relation),
     /// Anything else, without its quotes.
     Word(String),
 }
@@ -42,12 +42,12 @@ pub fn tokens(text: &str) -> Result<Vec<(usize, Token)>, QueryError> {
                 let equal = letters.get(next) == Some(&'=');
                 next += usize::from(equal && letter != '=');
                 Token::Compare(match (letter, equal) {
-                    ('<', false) => Comparison::Less,
-                    ('<', true) => Comparison::AtMost,
-                    ('>', false) => Comparison::More,
-                    ('>', true) => Comparison::AtLeast,
-                    ('=', _) => Comparison::Equal,
-                    (_, true) => Comparison::Unequal,
+                    ('<', false) => Relation::Less,
+                    ('<', true) => Relation::AtMost,
+                    ('>', false) => Relation::More,
+                    ('>', true) => Relation::AtLeast,
+                    ('=', _) => Relation::Equal,
+                    (_, true) => Relation::Unequal,
                     (_, false) => {
                         return Err(error(
                             at,

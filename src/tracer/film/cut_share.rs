@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::scene::error::Problem;
+use crate::scene::limits::MAX_DEPTH;
 use crate::scene::{Settings, Warning, WarningCode};
 use crate::tracer::pixel::Pixel;
 use crate::world::RayCuts;
@@ -116,7 +117,9 @@ impl Pixel {
 fn cure(cuts: &RayCuts, settings: &Settings) -> String {
     let recursion = &settings.recursion;
     // What is cut by weight weighs little.
-    if cuts.by_depth > 0 {
+    if cuts.by_depth > 0 && recursion.depth >= MAX_DEPTH {
+        format!("--depth is {MAX_DEPTH}, and none is higher: give mirrors a coefficient below 1")
+    } else if cuts.by_depth > 0 {
         format!(
             "raise --depth ({} now) until the picture stays as it is",
             recursion.depth
