@@ -37,7 +37,7 @@ pub struct World {
     contacts: Vec<Contact>,
     /// Which objects are transparent and bound no part of space: see [`OpenMedia`].
     open: Vec<bool>,
-    /// Which object a point is in, where they overlap: see [`rank`].
+    /// Which object a point is in, where they overlap: see `world/rank.rs`.
     ranks: Vec<u32>,
     /// The open objects that the eye is inside of.
     pub around_eye: OpenMedia,

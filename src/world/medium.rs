@@ -29,7 +29,7 @@ pub struct Crossing {
 }
 
 /// The object in whose medium a ray travels that is going to meet the crossings `ahead`, in order, and came into the open
-/// objects `entered`; [`NONE`] for air: of all that the ray is inside of, the one of the highest rank. See [`super::rank`].
+/// objects `entered`; [`NONE`] for air: of all that the ray is inside of, the one of the highest rank. See `src/world/rank.rs`.
 pub fn medium(entered: &OpenMedia, ahead: &[Crossing], rank: impl Fn(u32) -> u32) -> u32 {
     let mut best = NONE;
     let mut inside = |object: u32| {
