@@ -36,7 +36,7 @@ fn every_command_reads_a_scene_from_standard_input() {
             "cost",
             "SCENE",
             "--budget",
-            "1",
+            "3",
             "--most",
             "1",
             "--runs",
