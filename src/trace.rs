@@ -8,6 +8,7 @@ pub mod counts;
 pub mod document;
 pub mod explain;
 pub mod export;
+pub mod facts;
 pub mod format;
 pub mod ledger;
 pub mod light_estimate;
