@@ -3,11 +3,14 @@
 //! [`load()`] reads it from a built-in scene, a computed one, a JSON file or an OBJ file, [`from_json`] from text; what passed
 //! there cannot make the tracer panic. [`read`] is the reader, [`gallery`] the built-in scenes.
 
-pub mod camera;
+mod bend;
+mod bends;
+mod camera;
 pub mod check;
 pub mod effects;
 mod file_id;
 pub mod gallery;
+mod law;
 pub mod limits;
 mod load;
 mod object;
@@ -17,10 +20,13 @@ pub mod settings;
 pub mod warning;
 
 pub use crate::shading::{Effect, Effects};
+pub use bend::Bend;
+pub use bends::Bends;
 pub use camera::Camera;
 pub use file_id::FileId;
 pub use gallery::builtin;
 pub use gallery::procedural::list as generated;
+pub use law::{BendEntry, Law};
 pub use load::{STANDARD_INPUT, from_json, from_stdin, list, load, load_from_memory};
 pub use object::{Object, VertexData};
 pub use read::error::SceneError;

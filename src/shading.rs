@@ -17,6 +17,6 @@ pub use interaction::{Interaction, Side};
 pub use light::{Light, LightKind};
 pub use light_sample::LightSample;
 pub use material::{Checker, Material};
-pub use optics::Fresnel;
+pub use optics::{Fresnel, reflect, refract};
 pub use point::{FresnelSplit, Secondary, ShadingPoint};
 pub use projected::ProjectedPolygon;

@@ -3,9 +3,11 @@
 //! [`render()`] follows the rays of every pixel and listens to nothing; [`pixel()`] with a recording probe follows the
 //! rays of one pixel and writes them down. Both go through [`whitted`].
 
+mod by_laws;
 mod direct;
 pub mod film;
 pub mod image;
+pub mod laws;
 pub mod light_sampler;
 pub mod path_id;
 pub mod pixel;

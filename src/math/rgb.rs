@@ -87,6 +87,12 @@ impl Rgb {
 }
 
 impl Rgb {
+    /// [`Rgb::to_srgb8`] with channels cut off in the place of rounded.
+    pub fn to_srgb8_floor(self) -> [u8; 3] {
+        self.channels()
+            .map(|c| (srgb_curve(c.clamp(0.0, 1.0)) * 255.0).floor() as u8)
+    }
+
     /// From channels that are encoded as sRGB, 0 to 1.
     pub fn from_srgb(encoded: [f64; 3]) -> Self {
         encoded.map(linear).into()

@@ -44,10 +44,15 @@ impl Object {
 impl VertexData {
     /// Shading normal at barycentric coordinates, interpolated between the corners (Phong 1975): unit, or `None` if the mesh
     /// is flat or they cancel out.
-    pub fn normal(&self, triangle: usize, [u, v, w]: [f64; 3]) -> Option<DVec3> {
+    pub fn normal(&self, triangle: usize, barycentric: [f64; 3]) -> Option<DVec3> {
+        self.blended_normal(triangle, barycentric)?.try_normalize()
+    }
+
+    /// The sum of the corners' normals, each times its weight: not unit. `None` if the mesh is flat.
+    pub fn blended_normal(&self, triangle: usize, [u, v, w]: [f64; 3]) -> Option<DVec3> {
         let [a, b, c] = *self.normal_indices.get(triangle)?;
         let n = |i: u32| self.normals[i as usize];
-        (u * n(a) + v * n(b) + w * n(c)).try_normalize()
+        Some(u * n(a) + v * n(b) + w * n(c))
     }
 
     /// Texture coordinates at barycentric coordinates, interpolated between the corners.

@@ -9,9 +9,9 @@ pub use knobs::flags;
 pub use light::AreaLightSampling;
 pub use pixel::{Adaptive, Pilot, PixelSampling, Sampling};
 
-use super::Scene;
 use super::effects::effects;
 use super::limits::DEFAULT_MAX_RAYS;
+use super::{Bends, Scene};
 use crate::accel::AccelKind;
 use crate::geometry::Arithmetic;
 use crate::shading::{Effect, Effects, Fresnel};
@@ -37,6 +37,8 @@ pub struct Settings {
     pub accel: AccelKind,
     /// Arithmetic of shape tests; the world is built of shapes that use it (see [`Scene::computed_with`]).
     pub arithmetic: Arithmetic,
+    /// Laws that are exchanged for mistakes, to show what these do.
+    pub bends: Bends,
 }
 
 /// Size and exposure of the picture.

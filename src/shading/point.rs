@@ -77,6 +77,11 @@ impl<'a> ShadingPoint<'a> {
         !(self.kd.is_black() && self.material.specular.is_black())
     }
 
+    /// n: the exponent of highlights.
+    pub fn shininess(&self) -> f64 {
+        self.material.shininess
+    }
+
     /// True if it is diffuse and has no highlights.
     pub fn is_matt(&self) -> bool {
         self.material.specular.is_black() && !self.kd.is_black()

@@ -6,6 +6,7 @@ use crate::geometry::Hit;
 use crate::math::Ray;
 use crate::scene::Object;
 use crate::shading::{Interaction, Material};
+use crate::tracer::laws::Laws as _;
 
 /// A solid that is met again after this part of the coordinates has not really been left.
 const CLOSE: f64 = 1e-6;
@@ -36,7 +37,7 @@ impl<'a> View<'a> {
         let ray = Ray::new(node.ray.origin, node.ray.direction);
         Some(SurfaceHit {
             hit,
-            at: scene.interaction(&ray, &hit),
+            at: self.laws().interaction(scene, &ray, &hit),
             object: scene.object_of(hit.primitive),
             primitive: scene.local_index(hit.primitive),
             material: scene.material_of(hit.primitive),

@@ -4,6 +4,7 @@ use super::PixelTrace;
 use crate::math::Rgb;
 use crate::probe::RayKind;
 use crate::scene::Settings;
+use crate::tracer::laws::Bent;
 use crate::world::World;
 
 /// All that is needed to explain a recorded pixel.
@@ -18,6 +19,11 @@ pub struct View<'a> {
 }
 
 impl<'a> View<'a> {
+    /// The laws that the pixel was traced by.
+    pub fn laws(self) -> Bent {
+        Bent(self.settings.bends)
+    }
+
     /// True if a light has an area, so that many rays are sent to it.
     pub fn is_area(self, light: u32) -> bool {
         let light = self.world.scene.lights.get(light as usize);

@@ -3,14 +3,16 @@
 //! Source: Whitted 1980 for one shadow ray to each light; Cook, Porter and Carpenter 1984, "Distributed ray tracing", for many
 //! to a light that has an area.
 
+use super::by_laws::ByLaws;
+use super::laws::Laws;
 use super::light_sampler::{AreaSampler, LightSampler, PointSampler, ShadowRay};
 use super::shadow_batch::ShadowRays;
-use super::state::{Path, Tracer, Vertex};
+use super::state::{Tracer, Vertex};
 use crate::math::Rgb;
 use crate::probe::{Absence, Event, Probe, RayKind, tell};
 use crate::shading::{Area, Effect};
 
-impl<P: Probe> Tracer<'_, P> {
+impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     /// Adds the light that arrives at a vertex. `is_first`: it is the closest hit of its ray, of which something may be prefetched.
     #[inline]
     pub(super) fn direct_light(&mut self, sum: &mut Rgb, vertex: &Vertex, is_first: bool) {
@@ -25,8 +27,8 @@ impl<P: Probe> Tracer<'_, P> {
             if let Some(area) = kind.area() {
                 self.add_area_light(sum, vertex, light, area);
             } else {
-                let sampler = PointSampler::new(self.settings, point, kind);
-                self.add_light(sum, vertex, light, &sampler);
+                let sampler = &PointSampler::new(self.settings, point, kind);
+                self.add_sampled_light(sum, vertex, light, sampler);
             }
         }
     }
@@ -35,13 +37,14 @@ impl<P: Probe> Tracer<'_, P> {
     /// lights pay nothing for it.)
     #[inline(never)]
     fn add_area_light(&mut self, sum: &mut Rgb, at: &Vertex, light: u32, area: &Area) {
-        let sampler = AreaSampler::new(self.settings, &at.point, area, (at.path.id, light));
+        let id = self.laws.light_points(at.path.id);
+        let sampler = AreaSampler::new(self.settings, &at.point, area, (id, light));
         let samples = sampler.samples();
         if samples > 1 {
             tell!(self.probe, Event::LightSamples { light, samples });
         }
-        if P::LISTENS || samples == 1 || !self.settings.effects.has(Effect::Shadows) {
-            return self.add_light(sum, at, light, &sampler);
+        if P::LISTENS || L::BENT || samples == 1 || !self.settings.effects.has(Effect::Shadows) {
+            return self.add_sampled_light(sum, at, light, &sampler);
         }
         let mut batch = std::mem::take(&mut self.shadow_batch);
         let affordable = self.rays.left().min(u64::from(samples)) as u32;
@@ -49,6 +52,24 @@ impl<P: Probe> Tracer<'_, P> {
         self.add_light(sum, at, light, rays);
         self.rays.truncated |= affordable < samples;
         self.shadow_batch = batch;
+    }
+
+    /// Adds a light, sampled by the laws.
+    #[inline(always)]
+    fn add_sampled_light<S: LightSampler>(
+        &mut self,
+        sum: &mut Rgb,
+        at: &Vertex,
+        light: u32,
+        sampler: &S,
+    ) {
+        let rays = ByLaws {
+            sampler,
+            laws: self.laws,
+            point: &at.point,
+            kind: &self.world.scene.lights[light as usize].kind,
+        };
+        self.add_light(sum, at, light, &rays);
     }
 
     /// Adds a light: for each of its samples whose shadow ray arrives, the diffuse and the specular term.
@@ -68,11 +89,11 @@ impl<P: Probe> Tracer<'_, P> {
             match ray {
                 Err(reason) => self.absent(RayKind::Light, light, *reason),
                 Ok(ray) => {
-                    if !known.unwrap_or_else(|| self.is_occluded(at.path, ray, (light, sample))) {
-                        at.point.eval(&ray.light, ray.n_dot_l, |term| {
-                            self.add_term(sum, term, (light, sample));
-                        });
-                    }
+                    let occluded =
+                        known.unwrap_or_else(|| self.is_occluded(at, ray, (light, sample)));
+                    self.laws.eval(&at.point, ray, occluded, |term| {
+                        self.add_term(sum, term, (light, sample));
+                    });
                 }
             }
         }
@@ -80,14 +101,14 @@ impl<P: Probe> Tracer<'_, P> {
 
     /// Sends a shadow ray: true if anything is in its way. Transparent objects are, too.
     #[inline]
-    fn is_occluded(&mut self, path: &Path, shadow: &ShadowRay, light: (u32, u32)) -> bool {
+    fn is_occluded(&mut self, at: &Vertex, shadow: &ShadowRay, light: (u32, u32)) -> bool {
         if !self.settings.effects.has(Effect::Shadows) {
             self.absent(RayKind::Light, light.0, Absence::EffectOff);
             return false;
         }
-        self.tell_shadow_ray(path, shadow, light);
-        let distance = shadow.light.distance;
-        let occluder = self.world.occluder(&shadow.ray, distance, self.probe);
+        self.tell_shadow_ray(at.path, shadow, light);
+        let (in_scene, asked) = ((self.world, self.settings), (&at.point, light.0));
+        let occluder = self.laws.occluder(in_scene, asked, shadow, self.probe);
         self.tell_occluder(occluder);
         occluder.is_some()
     }

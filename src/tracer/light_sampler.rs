@@ -32,6 +32,9 @@ pub trait LightSampler {
     /// The light at the point, sample number `sample`, whatever stands in between and whichever side it is on.
     fn light(&self, sample: u32) -> Option<LightSample>;
 
+    /// Shadow ray to such a light, or why none is sent.
+    fn to_light(&self, light: Option<LightSample>) -> SampledRay;
+
     /// Shadow ray number `sample`, or why none is sent.
     fn shadow_ray(&self, sample: u32) -> SampledRay;
 }
@@ -96,6 +99,11 @@ impl LightSampler for PointSampler<'_> {
         self.kind.sample(self.point.at.point)
     }
 
+    fn to_light(&self, light: Option<LightSample>) -> SampledRay {
+        let origin = || ShadowOrigin::of(self.point);
+        shadow_ray(self.settings, self.point, || light, origin)
+    }
+
     #[inline]
     fn shadow_ray(&self, _: u32) -> SampledRay {
         let origin = || ShadowOrigin::of(self.point);
@@ -152,6 +160,10 @@ impl LightSampler for AreaSampler<'_> {
             projected: light.projected.map(|p| ProjectedShare { share, ..p }),
             ..light
         })
+    }
+
+    fn to_light(&self, light: Option<LightSample>) -> SampledRay {
+        shadow_ray(self.settings, self.point, || light, || self.origin)
     }
 
     #[inline]

@@ -9,6 +9,7 @@ pub mod estimate;
 pub mod estimator;
 pub mod weights;
 
+use super::laws::Bent;
 use super::state::Tracer;
 use crate::probe::Probe;
 use crate::scene::Settings;
@@ -22,5 +23,14 @@ pub use weights::Weights;
 /// Traces pixel (x, y) and tells `probe` of everything that happens. With any probe, on any thread, its colour is the
 /// same bit for bit.
 pub fn pixel<P: Probe>(world: &World, settings: &Settings, at: (u32, u32), probe: &mut P) -> Pixel {
-    PixelEstimator::trace(&mut Tracer::new(world, settings, probe), at)
+    if settings.bends.is_empty() {
+        return PixelEstimator::trace(&mut Tracer::new(world, settings, probe), at);
+    }
+    let laws = Bent(settings.bends);
+    let tracer = &mut Tracer::by_laws(world, settings, probe, laws);
+    let pixel = PixelEstimator::trace(tracer, at);
+    Pixel {
+        color: settings.bends.color(pixel.color, pixel.samples),
+        ..pixel
+    }
 }

@@ -1,5 +1,6 @@
 //! State of the tracer: the ray under way, the limits of recursion, and what a probe is told.
 
+use super::laws::{Laws, Ours};
 use super::light_sampler::ShadowRay;
 use super::path_id::PathId;
 use super::shadow_batch::ShadowBatch;
@@ -13,10 +14,11 @@ use crate::shading::{FresnelSplit, Secondary, ShadingPoint};
 use crate::world::{OpenMedia, RayBudget, RayCuts, Scratch, World};
 
 /// Ray tracer of one pixel after another, which tells a probe of all that happens.
-pub struct Tracer<'a, P> {
+pub struct Tracer<'a, P, L = Ours> {
     pub(super) world: &'a World,
     pub(super) settings: &'a Settings,
     pub(super) probe: &'a mut P,
+    pub(super) laws: L,
     /// What a pixel may spend.
     pub(super) budget: Budget,
     /// Rays of the present pixel.
@@ -79,11 +81,19 @@ impl Path<'_> {
 impl<'a, P: Probe> Tracer<'a, P> {
     /// A tracer that has sent no ray yet.
     pub fn new(world: &'a World, settings: &'a Settings, probe: &'a mut P) -> Self {
+        Self::by_laws(world, settings, probe, Ours)
+    }
+}
+
+impl<'a, P: Probe, L: Laws> Tracer<'a, P, L> {
+    /// A tracer that follows these laws.
+    pub fn by_laws(world: &'a World, settings: &'a Settings, probe: &'a mut P, laws: L) -> Self {
         let budget = settings.budget();
         Self {
             world,
             settings,
             probe,
+            laws,
             budget,
             rays: RayBudget::new(budget.further_rays),
             cuts: RayCuts::default(),
@@ -117,7 +127,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
         ray: Secondary,
     ) -> Result<Secondary, Absence> {
         let throughput = path.throughput * ray.weight;
-        if path.depth >= self.settings.recursion.depth {
+        if path.depth >= self.laws.depth(self.settings.recursion.depth) {
             self.cuts.depth(throughput);
             return Err(Absence::DepthLimit);
         }
@@ -147,7 +157,7 @@ impl<'a, P: Probe> Tracer<'a, P> {
 }
 
 /// What a probe is told, beside the sums that it is about.
-impl<P: Probe> Tracer<'_, P> {
+impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     /// A ray is sent.
     #[inline]
     pub(super) fn tell_ray(&mut self, path: &Path) {

@@ -2,10 +2,12 @@
 //!
 //! L = Le + Ka Ia + sum over lights (Kd (N.L) + Ks (R.V)^n) I + Wr L(R) + Wt L(T)
 //!
-//! The terms are those of a [`ShadingPoint`]; the sum over lights is in `direct.rs`.
+//! The terms are those of a [`ShadingPoint`]; the sum over lights is in `direct.rs`. What can be exchanged for a mistake is asked of
+//! the [`Laws`].
 
+use super::laws::Laws;
 use super::state::{Path, Tracer, Vertex};
-use crate::math::{Ray, Rgb};
+use crate::math::Rgb;
 use crate::probe::RayKind::{self, Reflected, Transmitted};
 use crate::probe::{Absence, Event, NONE, Probe, Term, counting, tell};
 use crate::shading::{Secondary, ShadingPoint};
@@ -14,7 +16,7 @@ use crate::world::{Found, Interface, NextHit, OpenMedia};
 /// Secondary ray, or why there is none.
 type Wanted = Result<Secondary, Absence>;
 
-impl<P: Probe> Tracer<'_, P> {
+impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     /// Radiance that comes back along a ray.
     pub(super) fn radiance(&mut self, path: &mut Path) -> Rgb {
         self.tell_ray(path);
@@ -35,7 +37,9 @@ impl<P: Probe> Tracer<'_, P> {
         let (hit, at) = if let Some(pixel) = path.prefetched {
             pixel.hit()?
         } else {
-            let (hit, at) = found.closest.insert(world.closest_point(ray, self.probe)?);
+            let (hit, at) = found
+                .closest
+                .insert(self.laws.closest_point(world, ray, self.probe)?);
             (&*hit, &*at)
         };
         let media = (&mut path.media, &mut self.scratch);
@@ -63,27 +67,31 @@ impl<P: Probe> Tracer<'_, P> {
         let mut sum = Rgb::BLACK;
         // What the surface sends out itself, and its share of the light that is everywhere.
         self.add(&mut sum, point.emitted());
-        self.add(&mut sum, point.ambient(scene.ambient));
+        let ambient = self.laws.ambient(&point, scene.ambient, scene.lights.len());
+        self.add(&mut sum, ambient);
         // What each light adds, unless something is in its way.
         self.direct_light(&mut sum, &vertex, surface.is_first);
         // What comes from the mirrored and from the refracted direction.
         if let Some(interface) = surface.interface.filter(|_| counting::REFRACTION) {
             self.refract(&mut sum, &vertex, interface);
         } else {
-            sum += self.secondary(&vertex, Reflected, point.reflected(None), path.media);
+            let reflected = self.laws.reflected(&point, None);
+            sum += self.secondary(&vertex, Reflected, reflected, path.media);
             self.absent(Transmitted, NONE, Absence::NoTransmission);
         }
-        self.done(sum)
+        self.done(self.laws.returned(sum))
     }
 
     /// Adds the reflected and the transmitted ray where media change. (Never inlined, so that opaque surfaces pay nothing.)
     #[inline(never)]
     fn refract(&mut self, sum: &mut Rgb, vertex: &Vertex, media: &Interface) {
         let Vertex { path, point } = vertex;
-        let split = point.split(self.settings.fresnel, media.ior);
+        let split = self.laws.split(point, self.settings.fresnel, media.ior);
         self.tell_split(&split);
-        *sum += self.secondary(vertex, Reflected, point.reflected(Some(&split)), path.media);
-        *sum += self.secondary(vertex, Transmitted, point.transmitted(&split), media.beyond);
+        let reflected = self.laws.reflected(point, Some(&split));
+        *sum += self.secondary(vertex, Reflected, reflected, path.media);
+        let transmitted = self.laws.transmitted(point, &split);
+        *sum += self.secondary(vertex, Transmitted, transmitted, media.beyond);
     }
 
     /// Weight x radiance of a secondary ray that the surface calls for; black if a limit forbids it. (Always inlined: that there
@@ -98,7 +106,7 @@ impl<P: Probe> Tracer<'_, P> {
                 return Rgb::BLACK;
             }
         };
-        let ray = Ray::new(from.point.at.origin_towards(direction), direction);
+        let ray = self.laws.start(from.point.at, direction);
         self.rays.ray();
         let media = (media, self.medium(&ray, &media));
         weight * self.radiance(&mut from.path.then(kind, ray, weight, media))

@@ -35,7 +35,10 @@ pub fn of(view: View) -> Document {
         settings: settings(view.settings, scene),
         color: PixelColor {
             linear,
-            srgb8: (linear * view.settings.image.exposure).to_srgb8(),
+            srgb8: view
+                .settings
+                .bends
+                .srgb8(linear * view.settings.image.exposure),
         },
         rays: trace.pixel.rays,
         cut: (!trace.pixel.cuts.is_empty()).then(|| DocumentCuts {

@@ -51,6 +51,9 @@ pub struct DocumentSettings {
     /// Where the arithmetic is not raytree's own: the picture shows what goes wrong with it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub arithmetic: Option<ArithmeticSettings>,
+    /// Laws that are exchanged for mistakes, by name: the tree is that of a wrong tracer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bent: Option<String>,
 }
 
 /// When a pixel has enough samples.
@@ -113,5 +116,6 @@ pub fn settings(settings: &Settings, scene: &Scene) -> DocumentSettings {
             quadratic: arithmetic.quadratic.name().to_owned(),
             precision: arithmetic.precision.name().to_owned(),
         }),
+        bent: (!settings.bends.is_empty()).then(|| settings.bends.to_string()),
     }
 }

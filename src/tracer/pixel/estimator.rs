@@ -8,6 +8,7 @@ use crate::math::{Ray, Rgb};
 use crate::probe::{Event, Probe, Silent, tell};
 use crate::sampling::BatchMeans;
 use crate::scene::{Budget, Settings};
+use crate::tracer::laws::Laws;
 use crate::tracer::state::Tracer;
 use crate::tracer::tile::Tile;
 use crate::tracer::tile_batch::PixelBatch;
@@ -87,7 +88,7 @@ impl PixelEstimator {
     /// Where its samples decide how many there are to be, their weights are known only after the last. Then a probe that
     /// listens hears of the second of two passes; the first, silent one finds out how many there are.
     #[inline]
-    pub fn trace<P: Probe>(tracer: &mut Tracer<P>, at: (u32, u32)) -> Pixel {
+    pub fn trace<P: Probe, L: Laws>(tracer: &mut Tracer<P, L>, at: (u32, u32)) -> Pixel {
         let (world, settings) = (tracer.world, tracer.settings);
         let mut estimator = Self::alone(world, settings, tracer.budget, at);
         if !P::LISTENS || estimator.weights.is_some() {
@@ -104,7 +105,11 @@ impl PixelEstimator {
     }
 
     /// Traces a pixel that is to have `count` samples.
-    pub fn trace_samples<P: Probe>(tracer: &mut Tracer<P>, at: (u32, u32), count: u32) -> Pixel {
+    pub fn trace_samples<P: Probe, L: Laws>(
+        tracer: &mut Tracer<P, L>,
+        at: (u32, u32),
+        count: u32,
+    ) -> Pixel {
         let settings = tracer.settings;
         let mut estimator = Self::with_samples(settings, tracer.budget, at, Some(count));
         estimator.run(tracer);
@@ -168,7 +173,7 @@ impl PixelEstimator {
 
     /// Takes the samples that it needs.
     #[inline]
-    pub fn run<P: Probe>(&mut self, tracer: &mut Tracer<P>) {
+    pub fn run<P: Probe, L: Laws>(&mut self, tracer: &mut Tracer<P, L>) {
         while self.is_open(tracer.settings) {
             self.next(tracer);
         }
@@ -176,7 +181,7 @@ impl PixelEstimator {
 
     /// Takes the next sample.
     #[inline]
-    fn next<P: Probe>(&mut self, tracer: &mut Tracer<P>) {
+    fn next<P: Probe, L: Laws>(&mut self, tracer: &mut Tracer<P, L>) {
         let settings = tracer.settings;
         let index = self.pixel.samples;
         let sample = camera_sample(settings, self.at, index);
@@ -191,16 +196,16 @@ impl PixelEstimator {
             );
         }
         let camera = &tracer.world.scene.camera;
-        let ray = camera.ray(sample.film, settings.size());
+        let ray = tracer.laws.eye_ray(camera, sample.film, settings.size());
         self.add(tracer, (&sample, ray), None);
     }
 
     /// Adds the radiance of a sample along its camera ray. Rays are counted over all samples, since the budget is the
     /// pixel's.
     #[inline]
-    pub fn add<P: Probe>(
+    pub fn add<P: Probe, L: Laws>(
         &mut self,
-        tracer: &mut Tracer<P>,
+        tracer: &mut Tracer<P, L>,
         (sample, ray): (&CameraSample, Ray),
         prefetched: Option<PixelBatch>,
     ) {

@@ -2,6 +2,7 @@
 
 use super::{ROW, words};
 use crate::geometry::{Offset, Precision, Quadratic, TriangleTest};
+use crate::scene::Bends;
 use crate::scene::settings::knob::{Field, Kind, Knob, Value};
 
 /// What these rows have in common.
@@ -55,6 +56,23 @@ pub const ROWS: &[Knob] = &[
         kind: Kind::Choice(|| words(&names!(Precision))),
         field: choice!(names!(Precision), arithmetic.precision),
         json: "arithmetic.precision",
+        ..ARITHMETIC_ROW
+    },
+    Knob {
+        flag: "bend",
+        value_name: "NAME[,NAME]",
+        doc: "Trace as one who makes this mistake (see raytree grade --bends)",
+        kind: Kind::Text(|text| text.parse::<Bends>().map(|_| ())),
+        field: Field {
+            get: |s| (!s.bends.is_empty()).then(|| Value::Text(s.bends.to_string())),
+            set: |s, value| {
+                if let Ok(bends) = value.to_string().parse() {
+                    s.bends = bends;
+                }
+            },
+        },
+        json: "bent",
+        shows_default: false,
         ..ARITHMETIC_ROW
     },
 ];

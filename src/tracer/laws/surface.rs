@@ -1,0 +1,80 @@
+//! Hit points, normals and origins gone wrong.
+
+use crate::geometry::{Hit, Shape};
+use crate::math::{DVec3, Ray};
+use crate::scene::{Bend, Scene};
+use crate::shading::{Interaction, Side};
+
+/// The offset of [`Bend::OffsetInwards`], in metres.
+const OFFSET: f64 = 1e-4;
+
+/// Hit point with its normals.
+pub fn interaction(bend: Bend, scene: &Scene, ray: &Ray, hit: &Hit) -> Interaction {
+    let at = scene.interaction(ray, hit);
+    let with = |normal: DVec3| Interaction { normal, ..at };
+    let with_both = |normal: DVec3, geometric_normal: DVec3| Interaction {
+        normal,
+        geometric_normal,
+        ..at
+    };
+    let shape = &scene.shapes[hit.primitive as usize];
+    match bend {
+        Bend::NormalNotTurned if at.side == Side::Back => {
+            with_both(-at.normal, -at.geometric_normal)
+        }
+        Bend::NormalInward if !matches!(shape, Shape::Plane(_)) => {
+            with_both(-at.normal, -at.geometric_normal)
+        }
+        Bend::NormalByMatrix => match shape {
+            Shape::Transformed(moved) => {
+                let local = moved.shape.surface(
+                    &moved.transform.ray_to_object(ray),
+                    hit.t,
+                    hit.barycentric,
+                );
+                let normal = moved.transform.vector(local.normal).normalize_or(at.normal);
+                let turned = normal * facing(normal, ray.direction);
+                with_both(turned, turned)
+            }
+            _ => at,
+        },
+        Bend::NormalNotUnit => match (shape, blended(scene, hit, hit.barycentric)) {
+            (_, Some(blended)) => with(blended * facing(blended, ray.direction)),
+            (Shape::Sphere(sphere), None) => with(at.normal * sphere.radius),
+            _ => at,
+        },
+        Bend::BarycentricRotated => {
+            let [u, v, w] = hit.barycentric;
+            match blended(scene, hit, [w, u, v]).and_then(DVec3::try_normalize) {
+                Some(normal) => with(normal * facing(normal, ray.direction)),
+                None => at,
+            }
+        }
+        Bend::Flat => with(at.geometric_normal),
+        _ => at,
+    }
+}
+
+/// 1 or -1, so that a normal times it faces the ray.
+fn facing(normal: DVec3, direction: DVec3) -> f64 {
+    if normal.dot(direction) > 0.0 {
+        -1.0
+    } else {
+        1.0
+    }
+}
+
+/// The corner normals of a smooth mesh, weighed and added.
+fn blended(scene: &Scene, hit: &Hit, weights: [f64; 3]) -> Option<DVec3> {
+    let vertices = scene.object_of(hit.primitive).vertices.as_ref()?;
+    vertices.blended_normal(scene.local_index(hit.primitive) as usize, weights)
+}
+
+/// Origin of a ray that leaves a hit point.
+pub fn origin(bend: Option<Bend>, at: &Interaction, direction: DVec3) -> DVec3 {
+    match bend {
+        Some(Bend::NoOffset) => at.point,
+        Some(Bend::OffsetInwards) => at.point - OFFSET * at.geometric_normal,
+        _ => at.origin_towards(direction),
+    }
+}
