@@ -7,7 +7,7 @@ use std::time::Instant;
 use super::arithmetic_sweep;
 use super::error::{Errors, Reference, errors};
 use super::measured::{Measured, Sweep};
-use super::parameter::{Parameter, Step};
+use super::parameter::{Parameter, ParameterStep};
 use super::pareto;
 use crate::accel::{Accel, AccelKind};
 use crate::geometry::Arithmetic;
@@ -46,7 +46,7 @@ enum Other {
 /// A position that is being measured.
 struct Bench<'a> {
     parameter: usize,
-    step: &'a Step,
+    step: &'a ParameterStep,
     other: Option<Other>,
     built: Option<f64>,
     counts: Counts,

@@ -18,7 +18,7 @@ pub struct Parameter {
     /// Which way of it, where there are several: they share a reference, and can be compared.
     pub variant: Option<&'static str>,
     /// Its steps, the cheapest first.
-    pub steps: Vec<Step>,
+    pub steps: Vec<ParameterStep>,
     /// The settings of the reference: the parameter at its best, with another seed. `None` if it never changes the
     /// picture.
     pub reference: Option<Settings>,
@@ -28,7 +28,7 @@ pub struct Parameter {
 
 /// Step of a parameter.
 #[derive(Clone, Debug)]
-pub struct Step {
+pub struct ParameterStep {
     /// Its name.
     pub name: String,
     /// The samples that it takes, if it is about samples.
@@ -61,7 +61,7 @@ impl Parameter {
     }
 }
 
-impl Step {
+impl ParameterStep {
     /// A step that is not about samples.
     pub fn new(name: String, settings: Settings) -> Self {
         Self {
@@ -81,7 +81,7 @@ pub fn swept(group: &'static str, flag: &str, base: &Settings) -> Parameter {
             Value::Real(x) => format!("{x:.3}"),
             value => value.to_string(),
         };
-        Step::new(name, settings)
+        ParameterStep::new(name, settings)
     };
     let steps = |knob: &Knob| {
         knob.steps()

@@ -2,7 +2,7 @@
 
 use super::arithmetic_sweep;
 use super::effort::Effort;
-use super::parameter::{LIGHT_SAMPLES, PIXEL_SAMPLES, Parameter, Step, swept};
+use super::parameter::{LIGHT_SAMPLES, PIXEL_SAMPLES, Parameter, ParameterStep, swept};
 use crate::accel::AccelKind;
 use crate::sampling::{LightSampling, Sampler};
 use crate::scene::effects::effects;
@@ -49,10 +49,10 @@ pub fn parameters(world: &World, base: &Settings, effort: Effort) -> Vec<Paramet
     parameters
 }
 
-fn by_samples(effort: Effort, with: impl Fn(u32) -> Settings) -> Vec<Step> {
-    let step = |n: u32| Step {
+fn by_samples(effort: Effort, with: impl Fn(u32) -> Settings) -> Vec<ParameterStep> {
+    let step = |n: u32| ParameterStep {
         samples: Some(n),
-        ..Step::new(n.to_string(), with(n))
+        ..ParameterStep::new(n.to_string(), with(n))
     };
     effort.samples().map(step).collect()
 }
@@ -88,7 +88,7 @@ fn thresholds(base: &Settings, pilot: Pilot, effort: Effort) -> Parameter {
             pilot,
         });
         let sampled = sampled(base, FIRST, Sampler::Sobol);
-        Step::new(
+        ParameterStep::new(
             threshold.to_string(),
             sampled.with(|s| s.pixel.adaptive = adaptive),
         )
@@ -173,7 +173,7 @@ fn min_weight(base: &Settings) -> Parameter {
 fn accelerators(world: &World, base: &Settings) -> Parameter {
     let few = world.scene.shapes.len() <= FEW_SHAPES;
     let mut accelerators = swept("accelerator", "accel", base);
-    let is_worth_it = |step: &Step| few || step.settings.accel != AccelKind::List;
+    let is_worth_it = |step: &ParameterStep| few || step.settings.accel != AccelKind::List;
     accelerators.steps.retain(is_worth_it);
     accelerators
 }
