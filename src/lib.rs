@@ -16,6 +16,8 @@ pub mod debug;
 #[doc(hidden)]
 pub mod geometry;
 #[doc(hidden)]
+pub mod grade;
+#[doc(hidden)]
 pub mod lab;
 pub mod math;
 #[doc(hidden)]
