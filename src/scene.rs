@@ -5,7 +5,7 @@
 
 mod bend;
 mod bends;
-mod camera;
+pub mod camera;
 pub mod check;
 pub mod effects;
 mod file_id;

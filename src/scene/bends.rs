@@ -37,6 +37,11 @@ impl Bends {
         self.iter().find(|bend| bend.law() == law)
     }
 
+    /// These without the bend of a law.
+    pub fn without(self, law: Law) -> Self {
+        Self(self.0.map(|bend| bend.filter(|bend| bend.law() != law)))
+    }
+
     /// Colour of a pixel, given the mean of its samples and their number.
     pub fn color(self, mean: Rgb, samples: u32) -> Rgb {
         if self.has(Bend::NotAveraged) {

@@ -10,7 +10,7 @@ mod tree_path;
 use crate::math::Rgb;
 use crate::probe::{RayKind, TermKind};
 
-pub use of_document::pixel_facts;
+pub use of_document::{pixel_facts, sorted};
 pub use tree_path::{Step, TreePath};
 
 /// What is said of a pixel.
@@ -115,6 +115,8 @@ pub enum FactName {
     RDotV(String, u32),
     /// `boundary.reflectance`.
     Reflectance,
+    /// Whether its hit sends an R or a T ray: "yes" or "no".
+    Sends(RayKind),
     /// `weight` of an R or a T ray.
     Weight,
     /// `radiance`.

@@ -25,7 +25,7 @@ mod token;
 use crate::probe::{Event, RayKind};
 use crate::trace::{Outcome, View};
 use pattern::Pattern;
-use quantity::Quantity;
+use quantity::NodeQuantity;
 
 pub use error::QueryError;
 
@@ -43,7 +43,7 @@ pub enum TreeQuery {
     /// A property.
     Is(Property),
     /// A quantity beside a number; false where the ray has no such quantity.
-    Compare(Quantity, Relation, f64),
+    Compare(NodeQuantity, Relation, f64),
 }
 
 /// A property that a ray has or has not.

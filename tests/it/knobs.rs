@@ -35,6 +35,7 @@ fn another(knob: &Knob) -> Value {
         Kind::Whole(_) if knob.flag == "max-rays" => "77",
         Kind::Count { .. } | Kind::Whole(_) => "7",
         Kind::Real { .. } => "0.25",
+        Kind::Text(_) if knob.flag == "bend" => "shadow-none",
         Kind::Text(_) => "none",
         Kind::Choices(words) => return Value::List(vec![words()[0].name.to_owned()]),
         Kind::Choice(words) => {

@@ -6,7 +6,7 @@ use strum::VariantNames;
 
 use super::error::{QueryError, error};
 use super::pattern::Pattern;
-use super::quantity::Quantity;
+use super::quantity::NodeQuantity;
 use super::token::{Token, tokens};
 use super::{Property, TreeQuery};
 use crate::probe::{AbsenceReason, RayKind};
@@ -216,16 +216,19 @@ fn path(text: &str) -> Option<Property> {
 }
 
 /// The quantity that a word names.
-fn quantity(at: usize, word: &str) -> Result<Quantity, QueryError> {
-    if let Some((_, quantity)) = Quantity::PLAIN.into_iter().find(|(name, _)| *name == word) {
+fn quantity(at: usize, word: &str) -> Result<NodeQuantity, QueryError> {
+    if let Some((_, quantity)) = NodeQuantity::PLAIN
+        .into_iter()
+        .find(|(name, _)| *name == word)
+    {
         return Ok(quantity);
     }
     let of_light = word.split_once(':');
     let of_light =
-        of_light.and_then(|(key, light)| Quantity::of_light(key, Pattern(light.to_string())));
+        of_light.and_then(|(key, light)| NodeQuantity::of_light(key, Pattern(light.to_string())));
     of_light.ok_or_else(|| {
-        let plain = Quantity::PLAIN.map(|(name, _)| name.to_string());
-        let of_lights = Quantity::OF_LIGHTS.map(|name| format!("{name}:LIGHT"));
+        let plain = NodeQuantity::PLAIN.map(|(name, _)| name.to_string());
+        let of_lights = NodeQuantity::OF_LIGHTS.map(|name| format!("{name}:LIGHT"));
         let all = [plain.as_slice(), of_lights.as_slice()].concat();
         let guess = did_you_mean(word, all.iter().map(String::as_str));
         let guess = guess.map_or(String::new(), |near| format!("did you mean `{near}`? "));
@@ -240,7 +243,7 @@ fn quantity(at: usize, word: &str) -> Result<Quantity, QueryError> {
 fn unknown(at: usize, word: &str) -> QueryError {
     let alone = WORDS.iter().map(|(name, _)| *name).chain(["tir"]);
     let with_name = NAMED.iter().map(|(name, _)| *name);
-    let quantities = Quantity::PLAIN.map(|(name, _)| name);
+    let quantities = NodeQuantity::PLAIN.map(|(name, _)| name);
     if quantities.contains(&word) {
         return error(
             at,

@@ -7,7 +7,7 @@ use crate::trace::{Outcome, View};
 
 /// A quantity of a ray.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Quantity {
+pub enum NodeQuantity {
     /// The depth of the deepest reflected or transmitted ray that follows from it; 0 for an eye ray without any.
     Depth,
     /// The number of rays that follow from it, itself included.
@@ -30,7 +30,7 @@ pub enum Quantity {
     Terms(TermKind, Pattern),
 }
 
-impl Quantity {
+impl NodeQuantity {
     /// Names of the quantities without a light's name.
     pub const PLAIN: [(&'static str, Self); 10] = [
         ("depth", Self::Depth),

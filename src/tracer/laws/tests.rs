@@ -44,7 +44,10 @@ fn without_a_bend_they_are_ours() {
             s.light.samples = 2;
         });
         let world = World::new(scene, AccelKind::Bsp);
-        for at in (0..15).step_by(4).flat_map(|y| (0..20).step_by(3).map(move |x| (x, y))) {
+        for at in (0..15)
+            .step_by(4)
+            .flat_map(|y| (0..20).step_by(3).map(move |x| (x, y)))
+        {
             let ours = events(&world, &settings, at, None);
             let bent = events(&world, &settings, at, Some(Bends::default()));
             assert!(ours == bent, "{name} {at:?}");

@@ -1,0 +1,131 @@
+//! What a student's tree says of a ray, as far as it says anything; else what is computed, else ours.
+
+use crate::geometry::{Hit, Intersection, Shear};
+use crate::math::{DVec3, Interval, Ray};
+use crate::shading::Interaction;
+use crate::trace::facts::{FactName, RayFacts};
+use crate::world::World;
+
+/// Origins nearer than this to what is computed count as equal: a ray from the exact origin would meet its own surface, or
+/// not, by chance.
+const NEAR: f64 = 2e-4;
+
+/// A ray of our tree, and the student's ray of the same name.
+#[derive(Clone, Copy)]
+pub struct Believed<'a> {
+    /// Ours.
+    pub ours: &'a RayFacts,
+    /// The student's, if there is one.
+    pub theirs: Option<&'a RayFacts>,
+}
+
+/// Where a ray ends, by the student's own numbers.
+pub struct BelievedVertex {
+    /// The primitive.
+    pub primitive: u32,
+    /// The point with its normals.
+    pub at: Interaction,
+}
+
+impl Believed<'_> {
+    /// A word that the student tells.
+    pub fn word(&self, name: &FactName) -> Option<&str> {
+        self.theirs?.word(name)
+    }
+
+    fn vector(&self, name: &FactName) -> Option<DVec3> {
+        self.theirs?.vector(name).map(DVec3::from_array)
+    }
+
+    fn number(&self, name: &FactName) -> Option<f64> {
+        self.theirs?.number(name)
+    }
+
+    /// The hit point with the student's own point and normals where they are told.
+    pub fn interaction(&self, computed: Interaction) -> Interaction {
+        let normal = self.vector(&FactName::Normal);
+        let geometric = self.vector(&FactName::GeometricNormal);
+        let normal = normal.or(geometric).unwrap_or(computed.normal);
+        // A normal on the other side says that the geometric one is there, too.
+        let side = if normal.dot(computed.geometric_normal) < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
+        let told = self.vector(&FactName::Point);
+        Interaction {
+            point: told
+                .filter(|point| point.distance(computed.point) > NEAR)
+                .unwrap_or(computed.point),
+            normal,
+            geometric_normal: geometric.unwrap_or(side * computed.geometric_normal),
+            ..computed
+        }
+    }
+}
+
+/// The ray that the student sent, with unit direction, and the length that the direction has there; `sent` is what the laws
+/// give.
+pub fn believed_ray(believed: Believed, sent: Option<(DVec3, DVec3)>) -> Option<(Ray, f64)> {
+    let told = |name| believed.vector(name);
+    let ours = |name| believed.ours.vector(name).map(DVec3::from_array);
+    let computed_origin = sent.map(|(origin, _)| origin);
+    let origin = match (told(&FactName::Origin), computed_origin) {
+        (Some(told), Some(computed)) if told.distance(computed) <= NEAR => computed,
+        (Some(told), _) => told,
+        (None, computed) => computed.or_else(|| ours(&FactName::Origin))?,
+    };
+    let direction = told(&FactName::Direction).or(sent.map(|(_, direction)| direction));
+    let direction = direction.or_else(|| ours(&FactName::Direction))?;
+    let unit = direction.try_normalize()?;
+    let is_unit = (direction.length() - 1.0).abs() < 1e-9;
+    let length = if is_unit { 1.0 } else { direction.length() };
+    let unit = if is_unit { direction } else { unit };
+    Some((Ray::new(origin, unit), length))
+}
+
+/// The hit that the student tells: the primitive of the named object that the ray crosses nearest to the student's t; else what
+/// was traced.
+pub fn believed_hit(
+    world: &World,
+    believed: Believed,
+    (ray, length): (&Ray, f64),
+    traced: Option<Hit>,
+) -> Option<Hit> {
+    let scene = &world.scene;
+    let Some(name) = believed.word(&FactName::Object) else {
+        return traced;
+    };
+    let told = believed.number(&FactName::T).map(|t| t * length);
+    let same = traced.filter(|hit| scene.object_of(hit.primitive).name == name);
+    if let Some(hit) = same.filter(|hit| told.is_none_or(|t| (t - hit.t).abs() <= NEAR)) {
+        return Some(hit);
+    }
+    let object = scene
+        .objects
+        .iter()
+        .position(|object| object.name == name)? as u32;
+    let first = scene.objects[object as usize].first_primitive;
+    let shear = Shear::new(ray);
+    let wanted = told.or(traced.map(|hit| hit.t))?;
+    let mut best: Option<Hit> = None;
+    for (primitive, shape) in (first..).zip(scene.shapes_of(object)) {
+        // Both crossings of a solid, those behind the origin included.
+        let mut from = f64::NEG_INFINITY;
+        while let Intersection::Hit { t, barycentric } =
+            shape.intersect(ray, &shear, Interval::new(from, f64::INFINITY))
+        {
+            let nearer = |hit: &Hit| (t - wanted).abs() < (hit.t - wanted).abs();
+            if best.as_ref().is_none_or(nearer) {
+                best = Some(Hit {
+                    t,
+                    primitive,
+                    barycentric,
+                });
+            }
+            from = t;
+        }
+    }
+    // The student's own t, on the surface's own coordinates.
+    best.map(|hit| Hit { t: wanted, ..hit })
+}
