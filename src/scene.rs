@@ -9,6 +9,7 @@ pub mod camera;
 pub mod check;
 pub mod effects;
 mod file_id;
+pub mod flat;
 pub mod gallery;
 mod law;
 pub mod limits;

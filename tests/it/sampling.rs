@@ -6,7 +6,7 @@ use raytree::math::{DVec3, Rgb};
 use raytree::probe::Silent;
 use raytree::sampling::stream::{splitmix64, to_unit_f64};
 use raytree::sampling::{Filter, SampleSet, Sampler};
-use raytree::scene::camera::Camera;
+use raytree::scene::Camera;
 use raytree::scene::{Adaptive, Pilot, Settings};
 use raytree::tracer::{Pixel, pixel};
 use raytree::world::World;
