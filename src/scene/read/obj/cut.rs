@@ -87,10 +87,7 @@ fn flatten(corners: &[DVec3]) -> (Vec<DVec2>, bool) {
             .fold(0.0, f64::max)
     };
     let is_flat = size(2) <= FLAT * size(0).max(size(1));
-    let flat = corners
-        .iter()
-        .map(|p| local(p))
-        .map(|[x, y, _]| DVec2::new(x, y));
+    let flat = corners.iter().map(local).map(|[x, y, _]| DVec2::new(x, y));
     (flat.collect(), is_flat)
 }
 
