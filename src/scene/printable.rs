@@ -55,6 +55,32 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     shown.into()
 }
 
+/// Characters of an excerpt at most.
+pub const EXCERPT: usize = 200;
+
+/// The beginning of a text that someone else wrote, printable and on one line: 200 characters at most, three dots if it goes on.
+/// Whatever is shown of what students hand in goes through here; HTML, XML and CSV are escaped behind it.
+pub fn excerpt(text: &str) -> String {
+    // All that can be shown, and one more to know whether there is more.
+    let start: String = text.chars().take(EXCERPT + 1).collect();
+    let shown = printable(&start);
+    if shown.chars().count() <= EXCERPT {
+        return shown.into_owned();
+    }
+    let mut cut = String::new();
+    let mut length = 0;
+    for c in start.chars() {
+        let letter = c.to_string();
+        let letter = printable(&letter);
+        length += letter.chars().count();
+        if length > EXCERPT - 3 {
+            break;
+        }
+        cut += &letter;
+    }
+    cut + "..."
+}
+
 /// Printable text whose line ends are meant.
 pub fn printable_lines(text: &str) -> String {
     let lines: Vec<Cow<str>> = text.split('\n').map(printable).collect();
@@ -105,6 +131,24 @@ mod tests {
             assert_eq!(printable(text), shown);
         }
         assert_eq!(printable_lines("a\nb\u{9b}"), "a\nb\\u{9b}");
+    }
+
+    #[test]
+    fn an_excerpt_is_short_whatever_is_in_it() {
+        let texts = ["a", "\u{202e}", "\u{1b}", "é", "\u{e0041}"];
+        for text in texts {
+            for times in [0, 1, 22, 199, 200, 201, 70_000] {
+                let shown = excerpt(&text.repeat(times));
+                assert!(shown.chars().count() <= EXCERPT, "{text:?} x {times}");
+                assert!(shown.chars().all(is_printable));
+                // No number of a character is cut in two.
+                let whole = printable(&text.repeat(times)).into_owned();
+                let start = shown.strip_suffix("...").unwrap_or(&shown);
+                assert!(whole.starts_with(start));
+                assert!(start.is_empty() || start.ends_with(printable(text).as_ref()));
+                assert_eq!(shown == whole, whole.chars().count() <= EXCERPT);
+            }
+        }
     }
 
     #[test]
