@@ -14,6 +14,7 @@ pub mod ledger;
 pub mod light_estimate;
 pub mod lighting;
 pub mod query;
+pub mod read;
 pub mod recorder;
 pub mod surface_hit;
 pub mod tree;

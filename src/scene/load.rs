@@ -14,15 +14,7 @@ use super::read::files::{Files, SCENES, regular};
 use super::read::resolve::resolve;
 
 /// Name of standard input in messages.
-const STANDARD_INPUT: &str = "standard input";
-
-/// Name of a scene in messages, whatever the user named it: `-` is standard input.
-pub fn label(name: &str) -> &str {
-    match name {
-        "-" => STANDARD_INPUT,
-        name => name,
-    }
-}
+pub const STANDARD_INPUT: &str = "standard input";
 
 /// Scene by `spec`: the name of a built-in or computed scene, or the path of a `.json` or `.obj` file.
 pub fn load(spec: &str) -> Result<Scene, SceneError> {

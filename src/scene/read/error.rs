@@ -80,7 +80,7 @@ pub fn first_line(error: &SceneError) -> String {
 impl std::error::Error for SceneError {}
 
 /// Long path, shortened to its beginning and its end.
-fn shortened(path: &str) -> String {
+pub fn shortened(path: &str) -> String {
     const ENDS: usize = 60;
     let letters: Vec<char> = path.chars().collect();
     if letters.len() <= 2 * ENDS + 3 {

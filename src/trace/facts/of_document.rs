@@ -144,8 +144,13 @@ pub fn sorted(mut facts: Vec<(FactName, Fact)>) -> Vec<(FactName, Fact)> {
         if name != kept_name {
             return false;
         }
-        if let (FactName::Term(..), Fact::Color(more), Fact::Color(sum)) = (&*name, &*fact, kept) {
-            *sum += *more;
+        if let FactName::Term(..) = name {
+            match (&*fact, kept) {
+                (Fact::Color(more), Fact::Color(sum)) => *sum += *more,
+                // A sum is no number if a summand is none.
+                (Fact::Nothing, kept) => *kept = Fact::Nothing,
+                _ => {}
+            }
         }
         true
     });
