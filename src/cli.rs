@@ -71,9 +71,9 @@ enum Command {
     Cost(cost::Cost),
     /// Look at hard cases: what common arithmetic makes of them, and what raytree does
     Stability(stability::Stability),
-    /// List the built-in scenes
+    /// List the built-in scenes, or print one for the ray tracer that you write
     Scenes(scenes::Scenes),
-    /// Print the JSON Schema of scene files or of ray trees
+    /// Print the JSON Schema of scene files, of flat scenes or of ray trees
     Schema(schema::Schema),
     /// Print a completion script for your shell
     Completions {

@@ -2,7 +2,6 @@
 //!
 //! Nothing here knows a terminal, a key or a layout; the faces draw what is computed here.
 
-pub mod command_line;
 pub mod convergence;
 pub mod cursor;
 pub mod effects;
@@ -20,7 +19,6 @@ pub mod steps;
 mod tests;
 pub mod window;
 
-pub use command_line::command_line;
 pub use convergence::Convergence;
 pub use cursor::{Cursor, StepCommand};
 pub use outline::{ObjectOutline, outlines};

@@ -9,6 +9,7 @@ pub mod camera;
 pub mod check;
 pub mod effects;
 mod file_id;
+pub mod flat;
 pub mod gallery;
 mod law;
 pub mod limits;
@@ -17,6 +18,7 @@ mod object;
 pub mod printable;
 pub mod read;
 pub mod settings;
+mod trace_command;
 pub mod warning;
 
 pub use crate::shading::{Effect, Effects};
@@ -27,7 +29,7 @@ pub use file_id::FileId;
 pub use gallery::builtin;
 pub use gallery::procedural::list as generated;
 pub use law::{BendEntry, Law};
-pub use load::{STANDARD_INPUT, from_json, from_stdin, list, load, load_from_memory};
+pub use load::{from_json, from_stdin, label, list, load, load_from_memory};
 pub use object::{Object, VertexData};
 pub use read::error::SceneError;
 pub use read::{error, file};
@@ -35,6 +37,7 @@ pub use settings::{
     Adaptive, AreaLightSampling, Budget, Image, Pilot, PixelSampling, Recursion, Sampling,
     Settings, flags,
 };
+pub use trace_command::trace_command;
 pub use warning::{Warning, WarningCode};
 
 use crate::geometry::{Arithmetic, Hit, Shape};

@@ -86,7 +86,7 @@ impl Render {
 
         let Made { film, settings, .. } = &made;
         let name = &self.scene.scene;
-        let cut = film.cuts.warning(settings, self.scene.label());
+        let cut = film.cuts.warning(name, &world.scene, settings);
         let mut warnings = world.scene.warnings.clone();
         warnings.extend(cut.clone());
         if let Some(file) = picture {

@@ -14,7 +14,7 @@ use crate::scene::effects::effects;
 use crate::scene::limits::MAX_THREADS;
 use crate::scene::settings::knob::{Kind, Knob, Value, Word, parse_whole};
 use crate::scene::settings::knobs::knobs;
-use crate::scene::{STANDARD_INPUT, Scene, Settings, from_stdin, load};
+use crate::scene::{Scene, Settings, from_stdin, label, load};
 use crate::world::{World, checks};
 
 /// What decides on the accelerator if the user does not.
@@ -173,10 +173,7 @@ impl SceneArgs {
 
     /// Name of the scene in messages.
     pub fn label(&self) -> &str {
-        match self.scene.as_str() {
-            "-" => STANDARD_INPUT,
-            name => name,
-        }
+        label(&self.scene)
     }
 
     /// Builds the scene's accelerator: what `accel` says if the user does not. Tells all other warnings, which the scene then has,

@@ -3,8 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use super::{
-    PartialPicture, RowKind, RowText, Session, StepCommand, TreeRows, command_line, effects, pick,
-    progressive,
+    PartialPicture, RowKind, RowText, Session, StepCommand, TreeRows, effects, pick, progressive,
 };
 use crate::probe::{Event, RayKind, Silent};
 use crate::scene::effects::findings;
@@ -189,7 +188,7 @@ fn an_effect_is_switched_there_and_back() {
     settings.effects = settings.effects.without(Effect::Shadows);
     let told = effects::deviations(&settings, &findings(&world.scene));
     assert_eq!(told.as_deref(), Some("without shadows"));
-    let command = command_line("soft-shadow", &world.scene, &settings, (3, 4));
+    let command = crate::scene::trace_command("soft-shadow", &world.scene, &settings, (3, 4));
     let end = "--size 64x48 --pixel 3,4 --without shadows";
     assert_eq!(command, format!("raytree trace soft-shadow {end}"));
 }

@@ -14,7 +14,15 @@ use super::read::files::{Files, SCENES, regular};
 use super::read::resolve::resolve;
 
 /// Name of standard input in messages.
-pub const STANDARD_INPUT: &str = "standard input";
+const STANDARD_INPUT: &str = "standard input";
+
+/// Name of a scene in messages, whatever the user named it: `-` is standard input.
+pub fn label(name: &str) -> &str {
+    match name {
+        "-" => STANDARD_INPUT,
+        name => name,
+    }
+}
 
 /// Scene by `spec`: the name of a built-in or computed scene, or the path of a `.json` or `.obj` file.
 pub fn load(spec: &str) -> Result<Scene, SceneError> {

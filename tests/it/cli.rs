@@ -177,7 +177,7 @@ fn lists_and_schemas_are_printed() {
             "{name} in\n{scenes}"
         );
     }
-    for format in ["scene", "tree"] {
+    for format in ["scene", "tree", "flat"] {
         let schema: Value = serde_json::from_slice(&run(&["schema", format]).out).expect("JSON");
         assert!(schema["$schema"].is_string());
     }

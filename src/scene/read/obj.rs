@@ -12,7 +12,7 @@ mod parts;
 use std::collections::HashMap;
 use std::path::Path;
 
-use check::FaceRun;
+use check::{FaceRun, Mended};
 
 use super::error::{Problem, SceneError};
 use super::files::Files;
@@ -58,22 +58,18 @@ pub fn parse(
     own_materials: bool,
 ) -> Result<Obj, SceneError> {
     let file = &files.label(name);
-    let mut checked =
-        check::check(&text.text).map_err(|(line, problem)| problem.in_line(file, line))?;
+    let mut mended = Mended::new(&text.text);
+    let no_library = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
+    let loaded = tobj::load_obj_buf(&mut mended, &tobj::LoadOptions::default(), no_library);
+    let mut checked = mended
+        .checked()
+        .map_err(|(line, problem)| problem.in_line(file, line))?;
     checked.notes.encoding(&text);
     drop(text);
     if checked.faces.is_empty() {
         let cure = "an OBJ file needs lines `v x y z` for points and `f a b c` for faces";
         return Err(Problem::new("there is no face in it", cure).in_file(file));
     }
-    let no_library = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
-    let mended = std::mem::take(&mut checked.text);
-    let loaded = tobj::load_obj_buf(
-        &mut mended.as_bytes(),
-        &tobj::LoadOptions::default(),
-        no_library,
-    );
-    drop(mended);
     let (models, _) = loaded.map_err(|error| {
         let what = format!("a line up to this one cannot be read: {error}");
         let line = checked.faces.last().map_or(1, |line| *line as usize);

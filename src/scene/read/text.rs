@@ -103,7 +103,7 @@ fn continued(line: &str) -> Option<&str> {
 }
 
 /// The words of a line up to a comment.
-pub fn words(line: &str) -> impl Iterator<Item = &str> {
+pub fn words(line: &str) -> impl Iterator<Item = &str> + Clone {
     line.split_ascii_whitespace()
         .take_while(|word| !word.starts_with('#'))
 }

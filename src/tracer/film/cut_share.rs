@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::scene::error::Problem;
 use crate::scene::limits::MAX_DEPTH;
-use crate::scene::{Settings, Warning, WarningCode};
+use crate::scene::{Scene, Settings, Warning, WarningCode, label, trace_command};
 use crate::tracer::pixel::Pixel;
 use crate::world::RayCuts;
 
@@ -54,19 +54,19 @@ impl CutShare {
     }
 
     /// A warning, if what was lost can be seen: more than a hundredth of the picture's light, or more than half of the light
-    /// of a thousandth of its pixels. `label` is what the user calls the scene.
-    pub fn warning(&self, settings: &Settings, label: &str) -> Option<Warning> {
+    /// of a thousandth of its pixels. `name` is the scene as the user named it.
+    pub fn warning(&self, name: &str, scene: &Scene, settings: &Settings) -> Option<Warning> {
         let dark = self.dark as f64 > SPOT * self.pixels as f64;
         (self.share() > VISIBLE || dark).then(|| {
-            let (x, y) = self.worst.map_or((0, 0), |(at, _)| at);
-            let cure = format!(
-                "{}; `raytree trace --pixel {x},{y}` shows them",
-                cure(&self.rays, settings)
-            );
+            let worst = self.worst.map_or((0, 0), |(at, _)| at);
+            // The accelerator changes no result.
+            let settings = &settings.with(|s| s.accel = scene.settings.accel);
+            let command = trace_command(name, scene, settings, worst);
+            let cure = format!("{}; `{command}` shows them", cure(&self.rays, settings));
             let what = format!("limits left out {self}");
             Warning {
                 code: WarningCode::RaysCut,
-                problem: Problem::new(what, cure).in_file(label),
+                problem: Problem::new(what, cure).in_file(label(name)),
                 count: 1,
             }
         })

@@ -136,7 +136,7 @@ impl Model {
         let mut warnings = self.world.scene.warnings.clone();
         if self.picture.progress() >= 1.0 {
             let cuts = &self.picture.cuts;
-            warnings.extend(cuts.warning(&self.settings, &self.options.scene));
+            warnings.extend(cuts.warning(&self.options.scene, &self.world.scene, &self.settings));
         }
         warnings
     }

@@ -5,11 +5,11 @@ use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
 
-use super::text::write;
+use super::text::{shortened, write};
 use super::theme;
-use crate::debug::command_line;
 use crate::debug::effects::deviations;
 use crate::math::Rgb;
+use crate::scene::trace_command;
 use crate::trace::format::num;
 use crate::tui::model::bindings::ACTIONS;
 use crate::tui::model::{Context, Model, Overlay};
@@ -24,20 +24,17 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     };
     let trace = &session.trace;
     let [r, g, b] = (trace.pixel.color * session.settings.image.exposure).to_srgb8();
-    let mut line = Line::from(vec![
-        Span::raw(format!(" {}  ", session.world.scene.name)).bold(),
-        Span::raw(format!("pixel ({}, {})  ", trace.x, trace.y)),
-    ]);
+    let mut line = Line::from(format!("pixel ({}, {})  ", trace.x, trace.y));
+    if !trace.pixel.cuts.is_empty() {
+        let (count, share) = (trace.pixel.cuts.count(), 100.0 * trace.pixel.cut_share());
+        line.push_span(format!("{count} cut ({share:.1} %)  "));
+    }
     remark(&mut line, deviations(&session.settings, &model.findings));
     line.push_span(theme::swatch(
         trace.pixel.color * session.settings.image.exposure,
         model.options.color,
     ));
     line.push_span(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays));
-    if !trace.pixel.cuts.is_empty() {
-        let (count, share) = (trace.pixel.cuts.count(), 100.0 * trace.pixel.cut_share());
-        line.push_span(format!("  {count} cut: {share:.1} % of its light"));
-    }
     if trace.tree.dropped > 0 {
         let text = format!(
             "  the log is full: {} events were not kept",
@@ -46,6 +43,11 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         line.push_span(Span::raw(text).bold());
     }
     line.push_span(Span::raw(busy(model)));
+    // The name takes what the rest leaves, or an eighth.
+    let width = usize::from(area.width);
+    let room = width.saturating_sub(line.width() + 3).max(width / 8);
+    let name = format!(" {}  ", shortened(&session.world.scene.name, room));
+    line.spans.insert(0, Span::raw(name).bold());
     write(buffer, area.x, area.y, &line, area.width);
 }
 
@@ -125,7 +127,7 @@ fn busy(model: &Model) -> String {
 
 /// The command that traces the pixel under the cursor as text.
 pub fn rerun(model: &Model) -> String {
-    command_line(
+    trace_command(
         &model.options.scene,
         &model.world.scene,
         &model.settings,

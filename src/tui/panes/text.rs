@@ -32,6 +32,22 @@ pub fn padded(text: &str, width: usize) -> String {
     format!("{text}{:blanks$}", "")
 }
 
+/// A text of at most `width` columns: its beginning and `…` if it is longer.
+pub fn shortened(text: &str, width: usize) -> String {
+    if columns(text) <= width {
+        return text.to_owned();
+    }
+    let mut short = String::new();
+    for letter in text.chars() {
+        short.push(letter);
+        if columns(&short) >= width {
+            short.pop();
+            break;
+        }
+    }
+    short + "…"
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -55,5 +71,9 @@ mod tests {
         assert_eq!(wrap("球球球 a", 4), ["球球", "球 a"]);
         assert_eq!(padded("球", 4), "球  ");
         assert_eq!(padded("long", 2), "long");
+        assert_eq!(shortened("球球球", 6), "球球球");
+        assert_eq!(shortened("球球球", 5), "球球…");
+        assert_eq!(shortened("球球球", 4), "球…");
+        assert_eq!(shortened("long", 1), "…");
     }
 }

@@ -70,7 +70,25 @@ fn a_picture_that_lost_light_says_so_when_it_is_whole() {
     keys(&mut app, "qHHHH");
     key(&mut app, KeyCode::Enter);
     let title = text(&app).lines().next().expect("a title").to_owned();
-    assert!(title.contains(" cut: 88.9 % of its light"), "{title}");
+    assert!(title.contains(")  10 cut (88.9 %)  "), "{title}");
+}
+
+#[test]
+fn what_a_pixel_lost_stands_in_the_title_whatever_else_does() {
+    let panes: Vec<String> = (1..6).map(pane).collect();
+    let mut app = with(&panes.join(", "));
+    let long = "a name that is longer than all of the line, which is eighty columns wide on many terminals";
+    for name in ["short", long] {
+        std::sync::Arc::get_mut(&mut app.model.world)
+            .expect("nobody else holds it")
+            .scene
+            .name = name.to_owned();
+        key(&mut app, KeyCode::Enter);
+        let title = text(&app).lines().next().expect("a title").to_owned();
+        assert!(title.contains(" cut (88.9 %)  "), "{title}");
+        assert!(title.contains(" rays"), "{title}");
+        keys(&mut app, "q");
+    }
 }
 
 #[test]

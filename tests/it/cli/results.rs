@@ -12,6 +12,8 @@ fn what_standard_output_does_not_take_is_status_1() {
         &["--version"],
         &["render", "--help"],
         &["scenes"],
+        &["scenes", "triangle", "--flat"],
+        &["scenes", "triangle", "--flat=text"],
         &["schema", "scene"],
         &["completions", "bash"],
         &["effects", "whitted"],
@@ -77,4 +79,28 @@ fn a_ray_budget_holds_for_the_picture() {
         // Where each pixel has a second one, for the light, nothing is left out.
         assert_eq!(ran.code, if most < 96 { 3 } else { 0 }, "{}", ran.err);
     }
+}
+
+/// A scene of others comes out in the form that is asked for, or not at all.
+#[test]
+fn a_flat_scene_is_printed_whole_or_refused() {
+    let json = run(&["scenes", "shadows", "--flat"]);
+    assert_eq!((json.code, json.err.as_str()), (0, ""));
+    let flat: serde_json::Value = serde_json::from_slice(&json.out).expect("JSON");
+    assert_eq!(flat["format"], "raytree-flat/1");
+    let text = run(&["scenes", "triangle", "--flat=text"]);
+    assert!(
+        text.out
+            .starts_with(b"format raytree-flat/1\nname triangle\n")
+    );
+    let words = ["`pillar`", "stretched or turned", "--flat"];
+    refused(&["scenes", "shadows", "--flat=text"], 1, &words);
+    refused(&["scenes", "triangle"], 2, &["--flat"]);
+    refused(&["scenes", "--flat"], 2, &["SCENE"]);
+    refused(&["scenes", "triangle", "--flat", "--json"], 2, &["--json"]);
+    refused(
+        &["scenes", "trangle", "--flat"],
+        1,
+        &["did you mean `triangle`?"],
+    );
 }

@@ -60,7 +60,11 @@ fn built_in_scenes_lose_no_light_that_can_be_seen() {
         let world = World::new(scene, AccelKind::Wide);
         let cuts = draw(&world, &settings, 0).cuts;
         let name = &world.scene.name;
-        assert_eq!(cuts.warning(&settings, name), None, "{name}: {cuts}");
+        assert_eq!(
+            cuts.warning(name, &world.scene, &settings),
+            None,
+            "{name}: {cuts}"
+        );
     }
 }
 

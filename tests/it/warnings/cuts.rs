@@ -21,7 +21,7 @@ fn drawn(text: &str, change: impl Fn(&mut Settings)) -> (World, Settings, Film, 
     });
     let world = World::new(scene, AccelKind::Bvh);
     let film = draw(&world, &settings, 2);
-    let warning = film.cuts.warning(&settings, "test.json");
+    let warning = film.cuts.warning("test.json", &world.scene, &settings);
     (world, settings, film, warning)
 }
 
@@ -76,11 +76,13 @@ fn four_panes_are_dark_by_the_depth() {
         "by depth, ",
         "88.9",
         "[rays-cut]",
-        "raise --depth (5 now)",
-        "trace --pixel ",
+        "raise --depth (5 now) until the picture stays as it is; `raytree trace test.json --size 24x18 --pixel ",
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }
+    let command = text.rsplit('`').nth(1).expect("a command");
+    let (_, flags) = command.split_once(" --pixel ").expect("a pixel");
+    assert!(!flags.contains(' '), "no accelerator: {command}");
     assert_eq!(film.cuts.dark, 24 * 18);
     // The tree of a pixel has its rays that were left out, one by one.
     let trace = trace_pixel(&world, &settings, (12, 9), false);

@@ -1,9 +1,11 @@
 //! The check in front of `tobj`: what it would refuse, mistake or take for good is mended, noted, or refused with its line.
 //!
 //! The mended text has points, texture coordinates, normals and faces, no names. It ends with texture coordinates and a
-//! normal that stand for none, because `tobj` gives a corner without them those of its neighbour.
+//! normal that stand for none, because `tobj` gives a corner without them those of its neighbour. It is made as `tobj` reads
+//! it, a piece at a time.
 
 use std::fmt::Write;
+use std::io::{self, BufRead, Read};
 
 use crate::math::DVec3;
 use crate::scene::limits::{MAX_COORDINATE, MAX_PRIMITIVES};
@@ -14,6 +16,9 @@ use crate::scene::warning::WarningCode;
 
 /// Faces of one model of `tobj`, which needs a hundred bytes for each until the model ends.
 const FACES: usize = 1 << 15;
+
+/// Bytes of mended text after which a piece ends.
+const PIECE: usize = 1 << 15;
 
 /// Faces with one name and one material.
 #[derive(Clone, Debug, Default)]
@@ -27,11 +32,11 @@ pub struct FaceRun {
     pub triangles: usize,
 }
 
-/// A file after the check.
+/// What the check has found.
 #[derive(Debug, Default)]
 pub struct Checked {
-    /// The text for `tobj`.
-    pub text: String,
+    /// The piece of mended text at hand.
+    text: String,
     /// The line of each face.
     pub faces: Vec<u32>,
     /// The runs of its faces.
@@ -58,26 +63,85 @@ fn kind(key: &str) -> Option<usize> {
     ["v", "vt", "vn"].iter().position(|known| *known == key)
 }
 
-/// Checks the text of an OBJ file; an error has its line.
-pub fn check(text: &str) -> Result<Checked, (usize, Problem)> {
-    let mut checked = Checked {
-        is_new: true,
-        ..Checked::default()
-    };
-    for (_, line) in Lines::new(text) {
-        if let Some(kind) = words(&line).next().and_then(kind) {
-            checked.totals[kind] += 1;
+/// The mended text of a file.
+pub struct Mended<'a> {
+    checked: Checked,
+    lines: Lines<'a>,
+    /// How much of the piece at hand is read, and if it is the last.
+    at: usize,
+    is_last: bool,
+    /// Why the file is refused, and where.
+    refused: Option<(usize, Problem)>,
+}
+
+impl<'a> Mended<'a> {
+    /// That of the text of an OBJ file.
+    pub fn new(text: &'a str) -> Self {
+        let mut checked = Checked {
+            is_new: true,
+            ..Checked::default()
+        };
+        for (_, line) in Lines::new(text) {
+            if let Some(kind) = words(&line).next().and_then(kind) {
+                checked.totals[kind] += 1;
+            }
+        }
+        Self {
+            checked,
+            lines: Lines::new(text),
+            at: 0,
+            is_last: false,
+            refused: None,
         }
     }
-    checked.text.reserve(text.len());
-    for (number, line) in Lines::new(text) {
-        checked.line = number;
-        checked.read(&line).map_err(|problem| (number, problem))?;
+
+    /// What was found in the text that was read; an error has its line.
+    pub fn checked(self) -> Result<Checked, (usize, Problem)> {
+        self.refused.map_or(Ok(self.checked), Err)
     }
-    for (kind, none) in [(1, "vt nan nan\n"), (2, "vn 0 0 0\n")] {
-        checked.text += if checked.totals[kind] > 0 { none } else { "" };
+
+    /// Makes the next piece.
+    fn refill(&mut self) -> Result<(), (usize, Problem)> {
+        let checked = &mut self.checked;
+        self.at = 0;
+        checked.text.clear();
+        while checked.text.len() < PIECE && !self.is_last {
+            if let Some((number, line)) = self.lines.next() {
+                checked.line = number;
+                checked.read(&line).map_err(|problem| (number, problem))?;
+                continue;
+            }
+            self.is_last = true;
+            for (kind, none) in [(1, "vt nan nan\n"), (2, "vn 0 0 0\n")] {
+                checked.text += if checked.totals[kind] > 0 { none } else { "" };
+            }
+        }
+        Ok(())
     }
-    Ok(checked)
+}
+
+impl BufRead for Mended<'_> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        if self.at >= self.checked.text.len()
+            && let Err(refused) = self.refill()
+        {
+            self.refused = Some(refused);
+            return Err(io::ErrorKind::InvalidData.into());
+        }
+        Ok(&self.checked.text.as_bytes()[self.at..])
+    }
+
+    fn consume(&mut self, bytes: usize) {
+        self.at += bytes;
+    }
+}
+
+impl Read for Mended<'_> {
+    fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
+        let bytes = self.fill_buf()?.read(place)?;
+        self.consume(bytes);
+        Ok(bytes)
+    }
 }
 
 impl Checked {
@@ -91,8 +155,8 @@ impl Checked {
             return Ok(());
         };
         match key {
-            "v" | "vt" | "vn" => return self.vertex(key, &words.collect::<Vec<_>>()),
-            "f" | "fo" => return self.face(&words.collect::<Vec<_>>()),
+            "v" | "vt" | "vn" => return self.vertex(key, words),
+            "f" | "fo" => return self.face(words),
             "o" | "g" => (self.run.name, self.is_new) = (name(line), true),
             "mtllib" => self.libraries.push((name(line), self.line)),
             "usemtl" => {
@@ -110,21 +174,36 @@ impl Checked {
     }
 
     /// A point with its weight, which divides, or its colour; texture coordinates; a normal.
-    fn vertex(&mut self, key: &str, words: &[&str]) -> Result<(), Problem> {
-        let read = words.iter().map_while(|word| number(word, MAX_COORDINATE));
-        let numbers: Vec<f64> = read.take(4).collect();
-        let mut kept = numbers.len().min(3);
-        match (key, &numbers[..]) {
-            ("v", [x, y, z, rest @ ..]) => match (words.len(), rest) {
+    fn vertex<'a>(
+        &mut self,
+        key: &str,
+        words: impl Iterator<Item = &'a str>,
+    ) -> Result<(), Problem> {
+        let (mut first, mut count) = ([""; 4], 0);
+        for word in words {
+            if let Some(place) = first.get_mut(count) {
+                *place = word;
+            }
+            count += 1;
+        }
+        let words = &first[..count.min(4)];
+        let (mut numbers, mut good) = ([0.0; 4], 0);
+        for x in words.iter().map_while(|word| number(word, MAX_COORDINATE)) {
+            numbers[good] = x;
+            good += 1;
+        }
+        let mut kept = good.min(3);
+        match (key, &numbers[..good]) {
+            ("v", [x, y, z, rest @ ..]) => match (count, rest) {
                 (3, _) => {}
                 (4, [w]) if is_weight(*w, [*x, *y, *z]) => kept = 4,
                 (4, _) => self.note(WarningCode::BadVertexData, "the weight of v"),
                 (5, _) => self.note(WarningCode::ExtraNumbers, key),
                 _ => self.note(WarningCode::VertexColors, key),
             },
-            ("v", _) => return Err(broken(words, numbers.len())),
+            ("v", _) => return Err(broken(words, good)),
             // The second is 0 if it is not said.
-            ("vt", [u]) if words.len() == 1 => {
+            ("vt", [u]) if count == 1 => {
                 let _ = write!(self.text, "vt {u} 0");
                 kept = 0;
             }
@@ -152,13 +231,14 @@ impl Checked {
         Ok(())
     }
 
-    fn face(&mut self, words: &[&str]) -> Result<(), Problem> {
-        if words.len() < 3 {
+    fn face<'a>(&mut self, words: impl Iterator<Item = &'a str> + Clone) -> Result<(), Problem> {
+        let corners = words.clone().count();
+        if corners < 3 {
             self.note(WarningCode::FewCorners, "f");
             return Ok(());
         }
         // Asked before there are many more: a face is a few letters, a triangle in memory a hundred bytes.
-        self.triangles += words.len() - 2;
+        self.triangles += corners - 2;
         if self.triangles > MAX_PRIMITIVES {
             let what = format!("here are more than {MAX_PRIMITIVES} triangles");
             return Err(Problem::new(what, "use a model with fewer triangles"));
@@ -168,7 +248,7 @@ impl Checked {
             self.runs.push(self.run.clone());
         }
         if let Some(run) = self.runs.last_mut() {
-            run.triangles += words.len() - 2;
+            run.triangles += corners - 2;
         }
         // A model of `tobj` ends where it is large and names nothing that comes later.
         let is_full = self.faces.len() % FACES == FACES - 1;

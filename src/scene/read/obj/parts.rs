@@ -21,16 +21,16 @@ struct Lists {
 
 /// What all parts share, and the triangles of each run of faces.
 pub fn parts(models: Vec<tobj::Model>, checked: &mut Checked) -> (Mesh, Vec<Mesh>) {
-    let mut lists = Lists {
-        points: Vec::with_capacity(
-            models
-                .iter()
-                .map(|model| model.mesh.positions.len() / 3)
-                .sum(),
-        ),
-        uvs: vec![DVec2::ZERO, DVec2::X, DVec2::Y],
-        normals: vec![DVec3::ZERO],
+    let all = |own: fn(&tobj::Mesh) -> &[f64]| -> usize {
+        models.iter().map(|model| own(&model.mesh).len()).sum()
     };
+    let mut lists = Lists {
+        points: Vec::with_capacity(all(|mesh| &mesh.positions) / 3),
+        uvs: Vec::with_capacity(3 + all(|mesh| &mesh.texcoords) / 2),
+        normals: Vec::with_capacity(1 + all(|mesh| &mesh.normals) / 3),
+    };
+    lists.uvs.extend([DVec2::ZERO, DVec2::X, DVec2::Y]);
+    lists.normals.push(DVec3::ZERO);
     let mut parts: Vec<Mesh> = Vec::with_capacity(checked.runs.len());
     let mut runs = checked.runs.iter().peekable();
     let mut lines = checked.faces.iter().enumerate();

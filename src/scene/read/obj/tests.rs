@@ -63,3 +63,64 @@ fn what_is_no_polygon_ends_all_the_same() {
     let bow = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::X + DVec3::Y];
     assert_eq!(triangulate(&bow).1, Some("crosses itself"));
 }
+
+#[test]
+fn a_twisted_face_keeps_all_its_triangles() {
+    // Two corners up and two down. Seen from above, its first side and its third cross.
+    let twisted = [
+        [0.0, 0.0, 0.0],
+        [2.0, 0.5, 1.0],
+        [1.0, 0.0, 0.0],
+        [2.2, 0.5, 3.0],
+    ];
+    let mut corners = twisted.map(DVec3::from_array);
+    for _ in 0..4 {
+        let (triangles, guess) = triangulate(&corners);
+        assert_eq!((triangles.len(), guess), (2, Some("is twisted")));
+        assert!(
+            (0..4).all(|i| triangles.iter().any(|t| t.contains(&i))),
+            "{triangles:?}"
+        );
+        // Of the two diagonals, that where the triangles bend less.
+        let normal = |t: &[usize; 3]| {
+            let [a, b, c] = t.map(|i| corners[i]);
+            (b - a).cross(c - a).normalize()
+        };
+        let cosine = |s: &[usize; 3], t: &[usize; 3]| normal(s).dot(normal(t));
+        let taken = cosine(&triangles[0], &triangles[1]);
+        let others = [
+            cosine(&[0, 1, 2], &[0, 2, 3]),
+            cosine(&[1, 2, 3], &[1, 3, 0]),
+        ];
+        assert_eq!(taken, others[0].max(others[1]));
+        assert_ne!(others[0], others[1]);
+        corners.rotate_left(1);
+    }
+}
+
+#[test]
+fn a_flat_face_comes_from_earcut_although_it_is_turned_and_rounded() {
+    // Letters as exporters write them: turned, and with six digits.
+    let (u, v) = (DVec3::new(0.6, 0.48, 0.64), DVec3::new(0.0, 0.8, -0.6));
+    let rounded = |[x, y]: [f64; 2]| ((x * u + y * v) * 1e6).round() / 1e6;
+    // An L with a corner in the middle of its foot, and one twice.
+    let l = [
+        [1.0, 3.0],
+        [0.0, 3.0],
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [2.0, 0.0],
+        [2.0, 1.0],
+        [2.0, 1.0],
+        [1.0, 1.0],
+    ];
+    let l = l.map(rounded);
+    let (triangles, guess) = triangulate(&l);
+    assert_eq!(guess, None);
+    assert!((area(&l, &triangles) - 4.0).abs() < 1e-5, "{triangles:?}");
+    // A bow: its larger half alone, not a fan that covers both.
+    let bow = [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 1.0]].map(rounded);
+    let (triangles, guess) = triangulate(&bow);
+    assert_eq!(guess, Some("crosses itself"));
+    assert_eq!(triangles.len(), 1, "{triangles:?}");
+}

@@ -1,10 +1,10 @@
-//! Command line that traces the picked pixel again.
+//! The command that traces a pixel again.
 
-use crate::scene::printable::shell_word;
-use crate::scene::{Scene, Settings, flags};
+use super::printable::shell_word;
+use super::{Scene, Settings, flags};
 
 /// `raytree trace` with all flags that differ from the scene's own settings; `name` is the scene as the user named it.
-pub fn command_line(name: &str, scene: &Scene, settings: &Settings, (x, y): (u32, u32)) -> String {
+pub fn trace_command(name: &str, scene: &Scene, settings: &Settings, (x, y): (u32, u32)) -> String {
     let (width, height) = settings.size();
     let name = shell_word(name);
     let mut command = format!("raytree trace {name} --size {width}x{height} --pixel {x},{y}");

@@ -1,0 +1,226 @@
+//! From a scene to its flat form.
+
+use super::{
+    FlatCamera, FlatChecker, FlatFormat, FlatLight, FlatMaterial, FlatObject, FlatScene,
+    FlatSettings,
+};
+use crate::geometry::Shape;
+use crate::math::{DVec3, Frame, Transform};
+use crate::scene::file::Triple;
+use crate::scene::{Object, Scene};
+use crate::shading::{Area, Light, LightKind, Material};
+
+/// The flat scene but for its objects, of which there may be millions: see [`objects`].
+pub fn head(scene: &Scene) -> FlatScene {
+    let (settings, camera) = (&scene.settings, &scene.camera);
+    let Frame { u, v, w } = camera.frame;
+    FlatScene {
+        format: FlatFormat::V1,
+        name: scene.name.clone(),
+        settings: FlatSettings {
+            depth: settings.recursion.depth,
+            min_weight: settings.recursion.min_weight,
+            fresnel: settings.fresnel,
+            exposure: settings.image.exposure,
+        },
+        background: scene.background,
+        ambient: scene.ambient,
+        camera: FlatCamera {
+            eye: camera.eye.to_array(),
+            u: u.to_array(),
+            v: v.to_array(),
+            w: w.to_array(),
+            half_height: camera.half_height,
+            vertical_fov: (2.0 * libm::atan(camera.half_height)).to_degrees(),
+        },
+        materials: scene.materials.iter().map(material).collect(),
+        lights: scene.lights.iter().map(|l| light(scene, l)).collect(),
+        objects: Vec::new(),
+    }
+}
+
+/// The shapes of a scene, in its order.
+pub fn objects(scene: &Scene) -> impl Iterator<Item = FlatObject> {
+    (0..scene.shapes.len() as u32).map(|primitive| {
+        let about = About {
+            object: scene.object_of(primitive),
+            material: scene.material_of(primitive),
+            local: scene.local_index(primitive),
+        };
+        about.shape(&scene.shapes[primitive as usize], None)
+    })
+}
+
+fn material(m: &Material) -> FlatMaterial {
+    FlatMaterial {
+        name: m.name.clone(),
+        ambient: m.ambient,
+        diffuse: m.diffuse,
+        specular: m.specular,
+        shininess: m.shininess,
+        mirror: m.mirror,
+        transmission: m.transmission,
+        ior: m.ior,
+        priority: m.priority,
+        emission: m.emission,
+        checker: m.checker.map(|checker| FlatChecker {
+            diffuse: checker.diffuse,
+            ambient: checker.ambient,
+            size: checker.size,
+        }),
+    }
+}
+
+fn light(scene: &Scene, light: &Light) -> FlatLight {
+    let name = light.name.clone();
+    match &light.kind {
+        LightKind::Point {
+            position,
+            intensity,
+            attenuation,
+        } => FlatLight::Point {
+            name,
+            position: position.to_array(),
+            intensity: *intensity,
+            attenuation: *attenuation,
+        },
+        LightKind::Directional {
+            direction,
+            intensity,
+        } => FlatLight::Directional {
+            name,
+            direction: direction.to_array(),
+            intensity: *intensity,
+        },
+        LightKind::Spot {
+            position,
+            direction,
+            intensity,
+            attenuation,
+            cos_cutoff,
+            exponent,
+        } => FlatLight::Spot {
+            name,
+            position: position.to_array(),
+            direction: direction.to_array(),
+            intensity: *intensity,
+            attenuation: *attenuation,
+            cos_cutoff: *cos_cutoff,
+            exponent: *exponent,
+        },
+        LightKind::Area(area) => FlatLight::Area {
+            name,
+            object: shining(scene, area).to_owned(),
+        },
+    }
+}
+
+/// The name of the object whose surface an area light is: that of which the same light would be made.
+fn shining<'s>(scene: &'s Scene, area: &Area) -> &'s str {
+    let mut objects = (0..).zip(&scene.objects);
+    let found = objects.find(|(index, object)| {
+        let emission = scene.materials[object.material as usize].emission;
+        emission == area.radiance
+            && Area::new(scene.shapes_of(*index), emission).as_ref() == Some(area)
+    });
+    found.map_or("", |(_, object)| object.name.as_str())
+}
+
+/// What a shape belongs to.
+struct About<'s> {
+    object: &'s Object,
+    material: &'s Material,
+    /// Its number within the object.
+    local: u32,
+}
+
+impl About<'_> {
+    /// A shape, in its own space if there is a way `to_world` from there that it does not survive.
+    fn shape(&self, shape: &Shape, to_world: Option<&Transform>) -> FlatObject {
+        let name = self.object.name.clone();
+        let material = self.material.name.clone();
+        match shape {
+            Shape::Triangle(triangle) => FlatObject::Triangle {
+                name,
+                primitive: self.local,
+                corners: triangle.corners.map(|c| carried(c, to_world).to_array()),
+                normals: self.normals(),
+                uvs: self.material.checker.map(|_| self.uvs()),
+                material,
+            },
+            Shape::Sphere(sphere) => FlatObject::Sphere {
+                name,
+                center: sphere.center.to_array(),
+                radius: sphere.radius,
+                to_world: to_world.map(rows),
+                material,
+            },
+            Shape::Plane(plane) => {
+                let point = carried(plane.origin(), to_world);
+                let normal = to_world.map_or(plane.normal(), |map| map.normal(plane.normal()));
+                FlatObject::Plane {
+                    name,
+                    point: point.to_array(),
+                    normal: normal.to_array(),
+                    axes: self.axes(&Frame::around(normal)),
+                    material,
+                }
+            }
+            Shape::Cuboid(cuboid) => FlatObject::Box {
+                name,
+                min: cuboid.bounds.min.to_array(),
+                max: cuboid.bounds.max.to_array(),
+                to_world: to_world.map(rows),
+                material,
+            },
+            Shape::Disc(disc) => FlatObject::Disc {
+                name,
+                center: disc.center.to_array(),
+                normal: disc.frame.w.to_array(),
+                radius: disc.radius,
+                axes: self.axes(&disc.frame),
+                to_world: to_world.map(rows),
+                material,
+            },
+            Shape::Transformed(moved) => self.shape(&moved.shape, Some(&moved.transform)),
+            // How it is tested is no part of the scene.
+            Shape::Naive(naive) => self.shape(&naive.shape, to_world),
+        }
+    }
+
+    /// Normals at the corners of a smooth triangle.
+    fn normals(&self) -> Option<[Triple; 3]> {
+        let data = self.object.vertices.as_ref()?;
+        let corners = data.normal_indices.get(self.local as usize)?;
+        Some(corners.map(|i| data.normals[i as usize].to_array()))
+    }
+
+    /// Surface coordinates at the corners of a triangle; without its own they are the weights of b and c.
+    fn uvs(&self) -> [[f64; 2]; 3] {
+        let own = self.object.vertices.as_ref().and_then(|data| {
+            let corners = data.uv_indices.get(self.local as usize)?;
+            Some(corners.map(|i| data.uvs[i as usize].to_array()))
+        });
+        own.unwrap_or([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+    }
+
+    /// Where u and v run, if it can be seen.
+    fn axes(&self, frame: &Frame) -> Option<[Triple; 2]> {
+        let axes = [frame.u.to_array(), frame.v.to_array()];
+        self.material.checker.map(|_| axes)
+    }
+}
+
+fn carried(point: DVec3, to_world: Option<&Transform>) -> DVec3 {
+    to_world.map_or(point, |map| map.point(point))
+}
+
+/// The three rows of a transform: each coordinate in the world as factors of x, y and z, and a number that is added.
+fn rows(transform: &Transform) -> [f64; 12] {
+    let map = transform.to_world();
+    let [x, y, z] = map.matrix3.transpose().to_cols_array_2d();
+    let [a, b, c] = map.translation.to_array();
+    [
+        x[0], x[1], x[2], a, y[0], y[1], y[2], b, z[0], z[1], z[2], c,
+    ]
+}
