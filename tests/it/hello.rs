@@ -41,7 +41,7 @@ impl Exercise {
 }
 
 /// True if there is such a program; in CI it must be there if it `is_needed`.
-fn is_found(program: &str, is_needed: bool) -> bool {
+pub fn is_found(program: &str, is_needed: bool) -> bool {
     let found = Command::new(program).arg("--version").output().is_ok();
     let ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
     assert!(found || !(ci && is_needed), "{program} is not installed");

@@ -40,6 +40,7 @@ mod same_bits;
 mod sampling;
 mod scenes;
 mod self_hits;
+mod solutions;
 mod spd;
 mod stepping;
 mod tidy;
