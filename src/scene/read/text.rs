@@ -104,8 +104,40 @@ fn continued(line: &str) -> Option<&str> {
 
 /// The words of a line up to a comment.
 pub fn words(line: &str) -> impl Iterator<Item = &str> + Clone {
-    line.split_ascii_whitespace()
-        .take_while(|word| !word.starts_with('#'))
+    let mut rest = line;
+    std::iter::from_fn(move || {
+        rest = rest.trim_ascii_start();
+        let end = rest.bytes().position(|byte| byte.is_ascii_whitespace());
+        let (word, behind) = rest.split_at(end.unwrap_or(rest.len()));
+        let is_word = !word.is_empty() && !word.starts_with('#');
+        is_word.then(|| {
+            rest = behind;
+            word
+        })
+    })
+}
+
+/// A whole number with an optional sign.
+pub fn whole(word: &[u8]) -> Option<isize> {
+    let (sign, digits) = match word {
+        [b'-', digits @ ..] => (-1, digits),
+        [b'+', digits @ ..] | digits => (1, digits),
+    };
+    let add = |sum: isize, byte: &u8| {
+        let digit = isize::from(byte.is_ascii_digit().then(|| byte - b'0')?);
+        sum.checked_mul(10)?.checked_add(digit)
+    };
+    let size = digits.iter().try_fold(0, add)?;
+    (!digits.is_empty()).then_some(sign * size)
+}
+
+/// True if a word is for sure a number, and smaller than 10^12: digits, in which there can be a point. What many lines have is
+/// seen without its value.
+pub fn is_plain_number(word: &str) -> bool {
+    let rest = word.strip_prefix('-').unwrap_or(word);
+    let digits = rest.bytes().filter(u8::is_ascii_digit).count();
+    let has_point = rest.len() == digits + 1 && rest.contains('.');
+    (1..=12).contains(&digits) && (rest.len() == digits || has_point)
 }
 
 /// The name after the first word of a line, which may have blanks in it. `Material #25` is one: a number is no comment.
@@ -123,4 +155,44 @@ pub fn name(line: &str) -> String {
 pub fn number(word: &str, max: f64) -> Option<f64> {
     let number = word.parse::<f64>().ok();
     number.filter(|x| x.is_finite() && x.abs() <= max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_those_between_blanks_and_before_a_comment() {
+        let found: Vec<&str> = words(" \tf 1/2  é#3\u{a0}\r # 4 5").collect();
+        assert_eq!(found, ["f", "1/2", "é#3\u{a0}"]);
+        assert_eq!(words("").chain(words(" #")).count(), 0);
+    }
+
+    #[test]
+    fn numbers_are_those_of_the_language() {
+        let pieces = [
+            "", "-", "+", "--", ".", "0", "7", "12", "0.5", "5.", ".5", "1.2.3", "1e3", "nan",
+            "1 ", "-0", "+3", "x",
+        ];
+        let long = [
+            "999999999999",
+            "1000000000000",
+            "9223372036854775807",
+            "9223372036854775808",
+            "-9223372036854775809",
+        ];
+        for a in pieces.into_iter().chain(long) {
+            for b in pieces {
+                let word = format!("{a}{b}");
+                assert_eq!(whole(word.as_bytes()), word.parse().ok(), "{word}");
+                let known = number(&word, 1e12).is_some();
+                assert!(known || !is_plain_number(&word), "{word}");
+            }
+        }
+        assert!(
+            ["7", "-0.5", "5.", ".5", "999999999999"]
+                .iter()
+                .all(|word| is_plain_number(word))
+        );
+    }
 }

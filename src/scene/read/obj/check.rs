@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::scene::limits::{MAX_COORDINATE, MAX_PRIMITIVES};
 use crate::scene::read::error::Problem;
 use crate::scene::read::notes::Notes;
-use crate::scene::read::text::{Lines, name, number, words};
+use crate::scene::read::text::{Lines, is_plain_number, name, number, whole, words};
 use crate::scene::warning::WarningCode;
 
 /// Faces of one model of `tobj`, which needs a hundred bytes for each until the model ends.
@@ -187,6 +187,11 @@ impl Checked {
             count += 1;
         }
         let words = &first[..count.min(4)];
+        self.before[kind(key).unwrap_or(0)] += 1;
+        if count < 4 && is_usual(key, words) {
+            self.hand_on(key, words);
+            return Ok(());
+        }
         let (mut numbers, mut good) = ([0.0; 4], 0);
         for x in words.iter().map_while(|word| number(word, MAX_COORDINATE)) {
             numbers[good] = x;
@@ -219,16 +224,18 @@ impl Checked {
                 kept = 0;
             }
         }
-        if kept > 0 {
-            self.text += key;
-        }
-        for word in &words[..kept] {
+        self.hand_on(if kept > 0 { key } else { "" }, &words[..kept]);
+        Ok(())
+    }
+
+    /// Ends a line with words.
+    fn hand_on(&mut self, key: &str, words: &[&str]) {
+        self.text += key;
+        for word in words {
             self.text += " ";
             self.text += word;
         }
         self.text += "\n";
-        self.before[kind(key).unwrap_or(0)] += 1;
-        Ok(())
     }
 
     fn face<'a>(&mut self, words: impl Iterator<Item = &'a str> + Clone) -> Result<(), Problem> {
@@ -271,7 +278,7 @@ impl Checked {
     /// Hands on a corner; true if it has a normal.
     fn corner(&mut self, corner: &str) -> Result<bool, Problem> {
         let (mut found, mut is_good) = ([0; 3], true);
-        for (kind, part) in corner.split('/').enumerate() {
+        for (kind, part) in corner.as_bytes().split(|b| *b == b'/').enumerate() {
             match (kind, self.index(kind, part)) {
                 (_, Some(index)) => found[kind] = index,
                 (0, None) => return Err(self.no_point(corner)),
@@ -308,9 +315,9 @@ impl Checked {
     }
 
     /// A number of a corner, from 1. Files count from 1 up, or from -1 down: backwards from the last one so far.
-    fn index(&self, kind: usize, part: &str) -> Option<usize> {
+    fn index(&self, kind: usize, part: &[u8]) -> Option<usize> {
         let total = *self.totals.get(kind)?;
-        let index: isize = part.parse().ok()?;
+        let index = whole(part)?;
         let from = if index < 0 { self.before[kind] + 1 } else { 0 };
         let found = from.checked_add_signed(index)?;
         (1..=total).contains(&found).then_some(found)
@@ -324,6 +331,14 @@ impl Checked {
         );
         Problem::new(what, cure)
     }
+}
+
+/// True for what nearly all lines are: as many numbers as there should be, in digits, and no normal of zeros.
+fn is_usual(key: &str, words: &[&str]) -> bool {
+    let is_zero = |word: &&str| !word.bytes().any(|byte| (b'1'..=b'9').contains(&byte));
+    words.len() == (if key == "vt" { 2 } else { 3 })
+        && words.iter().all(|word| is_plain_number(word))
+        && !(key == "vn" && words.iter().all(is_zero))
 }
 
 /// True if a point can be divided by its weight.
