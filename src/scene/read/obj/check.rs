@@ -82,7 +82,9 @@ impl<'a> Mended<'a> {
             ..Checked::default()
         };
         for (_, line) in Lines::new(text) {
-            if let Some(kind) = words(&line).next().and_then(kind) {
+            let is_vertex = line.trim_ascii_start().starts_with('v');
+            let key = is_vertex.then(|| words(&line).next()).flatten();
+            if let Some(kind) = key.and_then(kind) {
                 checked.totals[kind] += 1;
             }
         }
