@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::scene::read::error::shown;
+
 /// Why a text is no query.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct QueryError {
@@ -15,7 +17,9 @@ pub struct QueryError {
 
 impl fmt::Display for QueryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "letter {}: {}; {}", self.at + 1, self.what, self.cure)
+        // A query may come from a file: nothing of it steers a terminal.
+        let text = format!("letter {}: {}; {}", self.at + 1, self.what, self.cure);
+        f.write_str(&shown(&text))
     }
 }
 
