@@ -26,6 +26,12 @@ impl FileId {
         path.metadata().map(|metadata| Self::of_metadata(&metadata))
     }
 
+    /// Identity of what is at a path; of a link that of the link.
+    pub fn at_link(path: &Path) -> io::Result<Self> {
+        path.symlink_metadata()
+            .map(|metadata| Self::of_metadata(&metadata))
+    }
+
     /// Identity of a file that was opened at a path.
     pub fn of(file: &File, _: &Path) -> io::Result<Self> {
         file.metadata().map(|metadata| Self::of_metadata(&metadata))
@@ -45,6 +51,15 @@ impl FileId {
     /// Identity of the file at a path.
     pub fn at(path: &Path) -> io::Result<Self> {
         path.canonicalize().map(|path| Self { path })
+    }
+
+    /// Identity of what is at a path; of a link that of the link.
+    pub fn at_link(path: &Path) -> io::Result<Self> {
+        let path = std::path::absolute(path)?;
+        if path.is_symlink() {
+            return Ok(Self { path });
+        }
+        Self::at(&path)
     }
 
     /// Identity of a file that was opened at a path.
@@ -73,7 +88,9 @@ mod tests {
         #[cfg(unix)]
         {
             std::os::unix::fs::symlink("a", &b).expect("a link");
-            assert_eq!(FileId::at(&b).ok(), Some(id));
+            assert_eq!(FileId::at(&b).ok(), Some(id.clone()));
+            assert_eq!(FileId::at_link(&a).ok(), Some(id.clone()));
+            assert_ne!(FileId::at_link(&b).ok(), Some(id));
         }
     }
 }

@@ -10,13 +10,17 @@ mod arguments;
 mod bytes;
 mod dice;
 mod documents;
+mod handed_in;
 mod large;
 mod laws;
 mod memory;
 mod models;
 mod pictures;
+mod queries;
 mod search;
+mod trees;
 mod words;
+mod zips;
 
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};

@@ -63,6 +63,20 @@ pub fn size(bytes: &[u8]) -> Result<(u32, u32), String> {
 
 /// The film of a PFM file in colour (`PF`) or grey (`Pf`); what is wrong with it, if it is none.
 pub fn decode(bytes: &[u8]) -> Result<Film, String> {
+    let ((width, height), pixels) = pixels(bytes)?;
+    if !pixels.iter().all(|pixel| pixel.is_finite()) {
+        return Err("has pixels that are no finite numbers".to_owned());
+    }
+    Ok(Film {
+        width,
+        height,
+        pixels,
+        ..Film::default()
+    })
+}
+
+/// Width and height of a PFM file, and its pixels from the top, finite or not; what is wrong with it, if it is none.
+pub fn pixels(bytes: &[u8]) -> Result<((u32, u32), Vec<Rgb>), String> {
     let (header, rest) = header(bytes)?;
     let Header {
         channels,
@@ -92,18 +106,10 @@ pub fn decode(bytes: &[u8]) -> Result<Film, String> {
     };
     let pixel = |of: &[[u8; 4]]| Rgb::from([0, 1, 2].map(|i| value(&of[i.min(channels - 1)])));
     let rows = data.chunks(row).rev();
-    let pixels: Vec<Rgb> = rows
+    let pixels = rows
         .flat_map(|row| row.chunks(channels).map(pixel))
         .collect();
-    if !pixels.iter().all(|pixel| pixel.is_finite()) {
-        return Err("has pixels that are no finite numbers".to_owned());
-    }
-    Ok(Film {
-        width,
-        height,
-        pixels,
-        ..Film::default()
-    })
+    Ok(((width, height), pixels))
 }
 
 /// The nearest 32-bit float; never infinite.

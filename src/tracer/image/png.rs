@@ -30,8 +30,8 @@ fn unreadable(error: &ImageError) -> String {
     format!("is no PNG file that can be read: {error}")
 }
 
-/// The film that a PNG file shows with this exposure, as far as its bits tell; what is wrong with it, if it is none.
-pub fn decode(bytes: &[u8], exposure: f64) -> Result<Film, String> {
+/// A decoder of a PNG file whose pixels can be in it; what is wrong with it, if they cannot.
+fn decoder(bytes: &[u8]) -> Result<PngDecoder<Cursor<&[u8]>>, String> {
     let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(|e| unreadable(&e))?;
     let (width, height) = decoder.dimensions();
     if let Some(problem) = size_problem(width, height) {
@@ -46,6 +46,13 @@ pub fn decode(bytes: &[u8], exposure: f64) -> Result<Film, String> {
             "ends before the last of its {width}x{height} pixels"
         ));
     }
+    Ok(decoder)
+}
+
+/// The film that a PNG file shows with this exposure, as far as its bits tell; what is wrong with it, if it is none.
+pub fn decode(bytes: &[u8], exposure: f64) -> Result<Film, String> {
+    let decoder = decoder(bytes)?;
+    let (width, height) = decoder.dimensions();
     if exposure <= 0.0 {
         return Err("tells nothing: with an exposure of 0 every picture is black".to_owned());
     }
@@ -62,6 +69,12 @@ pub fn decode(bytes: &[u8], exposure: f64) -> Result<Film, String> {
             .collect(),
         ..Film::default()
     })
+}
+
+/// The pixels of a PNG file from the top as a screen shows them, without their opacity; what is wrong with it, if it is none.
+pub fn decode_screen(bytes: &[u8]) -> Result<Vec<[u8; 3]>, String> {
+    let image = DynamicImage::from_decoder(decoder(bytes)?).map_err(|e| unreadable(&e))?;
+    Ok(image.to_rgb8().pixels().map(|pixel| pixel.0).collect())
 }
 
 /// One byte a pixel, row after row from the top, as the bytes of a PNG file.
