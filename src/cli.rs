@@ -1,5 +1,6 @@
 //! The command line: one file a command.
 
+mod address;
 mod build_progress;
 mod color;
 mod command_line;

@@ -4,6 +4,7 @@
 //! shown beside it is computed again from it with the tracer's own functions ([`mod@explain`]). The [`Document`] is made
 //! from both, with names instead of ids; whatever is written ([`export`]) is made from the document alone.
 
+pub mod address;
 pub mod counts;
 pub mod document;
 pub mod explain;
@@ -20,6 +21,7 @@ pub mod surface_hit;
 pub mod tree;
 pub mod view;
 
+pub use address::Address;
 pub use counts::Counts;
 pub use document::Document;
 pub use explain::{Explanation, explain};

@@ -5,18 +5,23 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::address::{self, addressed};
 use super::output::{self, Target};
 use super::settings::{SceneArgs, check};
 use super::{Completion, Failure};
 use crate::accel::clearest;
+use crate::trace::address::subtree;
 use crate::trace::export::{Dot, Svg, Text, json};
-use crate::trace::{View, document, trace_pixel};
+use crate::trace::facts::TreePath;
+use crate::trace::{Address, Document, View, document, trace_pixel};
 
 #[derive(Args)]
 pub struct Trace {
     /// The pixel; 0,0 is the top left corner
-    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
-    pixel: (u32, u32),
+    #[arg(long, value_name = "X,Y", value_parser = parse_pixel, conflicts_with = "at")]
+    pixel: Option<(u32, u32)>,
+    #[arg(long, value_name = "ADDRESS", help = address::HELP)]
+    at: Option<Address>,
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -56,57 +61,74 @@ impl Format {
 
 impl Trace {
     pub fn run(&self) -> Result<Completion, Failure> {
-        let scene = self.scene.read()?;
+        let (args, at) = addressed(&self.scene, self.at.as_ref())?;
+        let (pixel, path) = self.ray(at)?;
+        let scene = args.read()?;
         let target = Target {
             flag: "--output",
             path: self.output.as_deref(),
             endings: self.format.endings(),
         };
         let [file] = output::open(&scene.files, [target])?;
-        let (mut world, settings) = self.scene.build(scene, clearest)?;
+        let (mut world, settings) = args.build(scene, clearest)?;
         check::rays(&settings)?;
-        let (x, y) = self.pixel;
-        let (width, height) = settings.size();
-        if x >= width || y >= height {
-            return Err(Failure::Usage(format!(
-                "pixel {x},{y} is outside the picture of {width}x{height}; the last one is {},{} (see --size)",
-                width - 1,
-                height - 1
-            )));
-        }
-        let trace = trace_pixel(&world, &settings, self.pixel, self.traversal);
-        let cut = trace.pixel.cut_warning(&settings, self.scene.label());
-        self.scene.notices.tell(cut.as_slice());
+        check::inside(&settings, pixel)?;
+        let trace = trace_pixel(&world, &settings, pixel, self.traversal);
+        let cut = trace.pixel.cut_warning(&settings, args.label());
+        args.notices.tell(cut.as_slice());
         world.scene.warnings.extend(cut);
         let document = document::of(View {
             world: &world,
             settings: &settings,
             trace: &trace,
         });
-        let produce = |out: &mut dyn Write| match self.format {
-            Format::Json => json::write(out, &document),
-            Format::Text => write!(out, "{}", Text(&document)),
-            Format::Dot => write!(out, "{}", Dot(&document)),
-            Format::Svg => write!(out, "{}", Svg(&document)),
+        let document = match path {
+            Some(path) => subtree(document, &path).map_err(Failure::Usage)?,
+            None => document,
         };
+        let produce = |out: &mut dyn Write| self.write(out, &document);
         match file {
             Some(file) => file.write(produce)?,
             None => output::to_stdout_by(produce)?,
         }
         if trace.tree.dropped > 0 {
             let dropped = trace.tree.dropped;
-            self.scene.notices.warn(format!(
+            args.notices.warn(format!(
                 "the log is full; {dropped} events were not kept (try a smaller --depth)"
             ));
             return Ok(Completion::Cut);
         }
         if trace.pixel.truncated {
-            self.scene.notices.warn(super::render::CUT);
+            args.notices.warn(super::render::CUT);
             return Ok(Completion::Cut);
         }
-        let warnings = world.scene.warnings.len();
-        self.scene.notices.deny(self.scene.label(), warnings)?;
+        args.notices
+            .deny(args.label(), world.scene.warnings.len())?;
         Ok(Completion::Whole)
+    }
+
+    /// The pixel, and the ray whose tree is written if it is not all of them.
+    fn ray(&self, at: Option<Address>) -> Result<((u32, u32), Option<TreePath>), Failure> {
+        let usage = |what: &str| Err(Failure::Usage(what.to_owned()));
+        match (self.pixel, at) {
+            (Some(pixel), None) => Ok((pixel, None)),
+            // The address of a pixel alone means all samples.
+            (None, Some(at)) if at.path == TreePath::default() => Ok((at.pixel, None)),
+            (None, Some(at)) => Ok((at.pixel, Some(at.path))),
+            (Some(_), Some(_)) => {
+                usage("the pixel is told twice; leave out --pixel, or the address behind SCENE")
+            }
+            (None, None) => usage("no pixel is told; add --pixel X,Y, or write SCENE@X,Y"),
+        }
+    }
+
+    fn write(&self, out: &mut dyn Write, document: &Document) -> std::io::Result<()> {
+        match self.format {
+            Format::Json => json::write(out, document),
+            Format::Text => write!(out, "{}", Text(document)),
+            Format::Dot => write!(out, "{}", Dot(document)),
+            Format::Svg => write!(out, "{}", Svg(document)),
+        }
     }
 }
 

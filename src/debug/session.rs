@@ -8,6 +8,7 @@ use super::extent;
 use super::rows::TreeRows;
 use crate::geometry::Aabb;
 use crate::scene::Settings;
+use crate::trace::address::{Address, AddressPart, node_at};
 use crate::trace::{PixelTrace, RayTree, View, trace_pixel};
 use crate::world::World;
 
@@ -115,6 +116,16 @@ impl Session {
     /// Goes to an event, or to the last one if there are fewer.
     pub fn go_to_event(&mut self, n: usize) {
         self.go(Cursor::at(self.tree(), n));
+    }
+
+    /// Goes to a ray, or to the event that the address names; an error says what is there instead, and the cursor stays.
+    pub fn go_to_address(&mut self, address: &Address) -> Result<(), String> {
+        let node = node_at(self.view(), &address.path)?;
+        match address.part {
+            Some(AddressPart::Event(event)) => self.go_to_event(event),
+            _ => self.go(Cursor::at_node(self.tree(), node)),
+        }
+        Ok(())
     }
 
     /// Goes to a row of the tree.

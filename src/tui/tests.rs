@@ -1,5 +1,6 @@
 //! The debugger without a terminal: actions in, screens out.
 
+mod address;
 mod bundle;
 mod color;
 mod convergence;

@@ -22,13 +22,13 @@ fn raytree(args: &[&str]) -> Command {
     command
 }
 
-struct Ran {
-    code: i32,
-    out: Vec<u8>,
-    err: String,
+pub struct Ran {
+    pub code: i32,
+    pub out: Vec<u8>,
+    pub err: String,
 }
 
-fn run(args: &[&str]) -> Ran {
+pub fn run(args: &[&str]) -> Ran {
     let output = raytree(args).output().expect("runs");
     Ran {
         code: output.status.code().expect("ended by itself"),
@@ -38,7 +38,7 @@ fn run(args: &[&str]) -> Ran {
 }
 
 /// Fails with this status, nothing on stdout, and a message that has all these words and no trace of a panic.
-fn refused(args: &[&str], code: i32, words: &[&str]) {
+pub fn refused(args: &[&str], code: i32, words: &[&str]) {
     let ran = run(args);
     assert_eq!(ran.code, code, "{args:?}: {}", ran.err);
     assert!(ran.out.is_empty(), "{args:?} writes to stdout");

@@ -11,6 +11,7 @@ mod random;
 
 mod accel;
 mod adaptive_neighbours;
+mod addresses;
 mod area_lights;
 mod arithmetic;
 mod bad_scenes;

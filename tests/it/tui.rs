@@ -321,6 +321,7 @@ fn broken_world() {
         mouse: true,
         threads: 1,
         size: None,
+        at: None,
     };
     run(world, settings, options).expect("the debugger says what is wrong");
 }

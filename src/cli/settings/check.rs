@@ -61,6 +61,18 @@ smaller --size"
     )))
 }
 
+/// An error if a pixel lies outside of the picture.
+pub fn inside(settings: &Settings, (x, y): (u32, u32)) -> Result<(), Failure> {
+    let (width, height) = settings.size();
+    if x < width && y < height {
+        return Ok(());
+    }
+    let (last_x, last_y) = (width - 1, height - 1);
+    Err(Failure::Usage(format!(
+        "pixel {x},{y} is outside the picture of {width}x{height}; the last one is {last_x},{last_y} (see --size)"
+    )))
+}
+
 /// Parser of whole numbers from 1 to `most`.
 pub fn parse_count(most: u32) -> impl Fn(&str) -> Result<u32, String> + Clone {
     move |text| parse_whole(text, 1..=most.into()).map(|n| n as u32)

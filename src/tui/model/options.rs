@@ -1,5 +1,6 @@
 //! Options of the command line for the debugger.
 
+use crate::trace::Address;
 use crate::tracer::image::ColorLevel;
 
 /// What the command line chooses.
@@ -15,4 +16,6 @@ pub struct Options {
     pub threads: usize,
     /// Width and height of the image; `None`: as many pixels as the screen shows.
     pub size: Option<(u32, u32)>,
+    /// The ray at which a tree is opened at the start; none once it is.
+    pub at: Option<Address>,
 }

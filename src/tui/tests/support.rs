@@ -61,6 +61,7 @@ pub fn of_loaded(
         mouse: true,
         threads: 2,
         size: None,
+        at: None,
     };
     change(&mut options);
     Program::new(world, settings, options, Rect::new(0, 0, width, height))

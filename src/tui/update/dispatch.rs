@@ -10,6 +10,16 @@ pub fn start(model: &mut Model) {
     image::fit(model);
     let (width, height) = model.picture.size;
     model.picture.cursor = (width / 2, height / 2);
+    let at = model.options.at.as_ref().map(|at| at.pixel);
+    let is_inside = |(x, y): &(u32, u32)| *x < width && *y < height;
+    if let Some(pixel) = at.filter(is_inside) {
+        model.picture.cursor = pixel;
+        image::open(model);
+    } else if let Some((x, y)) = at {
+        model.options.at = None;
+        let what = format!("pixel {x},{y} is outside the picture of {width}x{height} (see --size)");
+        model.message = Some(what);
+    }
     model.picture.follow();
     image::render(model);
     image::look(model);

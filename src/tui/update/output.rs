@@ -22,7 +22,10 @@ pub fn take_in(model: &mut Model, output: JobOutput) {
                 convergence.end = Some(end);
             }
         }
-        JobOutput::Traced(session) => {
+        JobOutput::Traced(mut session) => {
+            if let Some(address) = model.options.at.take() {
+                model.message = session.go_to_address(&address).err();
+            }
             model.session = Some(session);
             model.layout.scroll = 0;
             model.waiting = None;
