@@ -5,10 +5,12 @@ mod runs;
 
 use std::fmt::Write;
 
+use raytree::grade::submission;
 use raytree::probe::{Event, Probe};
 use raytree::scene::limits::{MAX_EVENT_BYTES, MAX_EVENTS, table};
 use raytree::scene::{Scene, load_from_memory};
 use raytree::trace::Recorder;
+use raytree::trace::read::limits as trees;
 
 const CAMERA: &str =
     r#""format": "raytree-scene/1", "camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0]}"#;
@@ -41,12 +43,19 @@ fn limit(within: Result<Scene, String>, beyond: Result<Scene, String>, words: &[
 
 #[test]
 fn the_book_shows_the_limits_as_they_are() {
+    shows("limits.md", table());
+    let handed_in = [trees::table(), submission::limits::table()].concat();
+    shows("handing-in.md", handed_in);
+}
+
+/// A chapter shows these limits.
+fn shows(chapter: &str, limits: Vec<[String; 3]>) {
     let mut rows = String::from("| what | at most | beyond |\n|---|---|---|\n");
-    for [what, most, beyond] in table() {
+    for [what, most, beyond] in limits {
         let _ = writeln!(rows, "| {what} | {most} | {beyond} |");
     }
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/book/src/limits.md");
-    let book = std::fs::read_to_string(path).expect("the chapter");
+    let path = format!("{}/book/src/{chapter}", env!("CARGO_MANIFEST_DIR"));
+    let book = std::fs::read_to_string(&path).expect("the chapter");
     let start = book.find("| what |").expect("the table");
     let end = start
         + book[start..]

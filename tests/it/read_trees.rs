@@ -139,6 +139,22 @@ fn a_changed_number_is_a_changed_fact() {
     assert_ne!(read, [pixel_facts(&document)]);
 }
 
+#[test]
+fn what_the_book_shows_is_read_whole() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/book/src/handing-in.md");
+    let book = std::fs::read_to_string(path).expect("the chapter");
+    let mut rays = Vec::new();
+    for block in book.split("```json\n").skip(1) {
+        let text = block.split("```").next().expect("an example");
+        for pixel in read(text.as_bytes()) {
+            assert_eq!(pixel.problems, [""; 0], "{text}");
+            assert_eq!(pixel.pixel, Some((160, 100)));
+            rays.push(pixel.rays.len());
+        }
+    }
+    assert_eq!(rays, [2, 2]);
+}
+
 /// A document whose root has this field.
 fn with(field: &str) -> String {
     format!("{{\"pixel\":[1,1],\"root\":{{\"kind\":\"I\",{field}}}}}")

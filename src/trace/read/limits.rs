@@ -26,3 +26,53 @@ pub const MAX_FILE_RAYS: usize = 1_000_000;
 pub const MAX_ERRORS: usize = 1000;
 /// Problems of a pixel that are told; further ones are counted.
 pub const MAX_PROBLEMS: usize = 20;
+
+/// The limits as the book tells them: what is limited, to how much, and what is lost beyond.
+pub fn table() -> Vec<[String; 3]> {
+    const PIXEL: &str = "that pixel";
+    let mebibytes = |bytes: usize| format!("{} MiB", bytes >> 20);
+    let rows: [(&str, String, &str); 12] = [
+        (
+            "a file of trees",
+            mebibytes(MAX_TREE_FILE_BYTES),
+            "the file",
+        ),
+        ("a line", mebibytes(MAX_LINE_BYTES), PIXEL),
+        ("brackets inside brackets", MAX_BRACKETS.to_string(), PIXEL),
+        ("a text", format!("{} KiB", MAX_TEXT_BYTES >> 10), PIXEL),
+        (
+            "values of a document, names of fields included",
+            MAX_VALUES.to_string(),
+            PIXEL,
+        ),
+        ("rays of a pixel", MAX_RAYS.to_string(), PIXEL),
+        ("rays that a hit sends", MAX_CHILDREN.to_string(), PIXEL),
+        (
+            "rays between a ray and the eye",
+            MAX_RAY_DEPTH.to_string(),
+            PIXEL,
+        ),
+        (
+            "steps of the paths of all rays of a pixel",
+            MAX_STEPS.to_string(),
+            PIXEL,
+        ),
+        (
+            "pixels of a file",
+            MAX_DOCUMENTS.to_string(),
+            "the rest of the file",
+        ),
+        (
+            "rays of a file",
+            MAX_FILE_RAYS.to_string(),
+            "the rest of the file",
+        ),
+        (
+            "errors of a file",
+            MAX_ERRORS.to_string(),
+            "the rest of the file",
+        ),
+    ];
+    rows.map(|(what, most, beyond)| [what.to_owned(), most, beyond.to_owned()])
+        .to_vec()
+}
