@@ -5,6 +5,7 @@ mod build_progress;
 mod color;
 mod command_line;
 mod cost;
+mod diff;
 mod effects;
 mod end_signals;
 mod find;
@@ -17,6 +18,7 @@ mod schema;
 mod settings;
 mod stability;
 mod trace;
+mod trees;
 mod view;
 
 use std::ffi::OsString;
@@ -48,7 +50,7 @@ pub enum Completion {
 #[command(version, max_term_width = 100, arg_required_else_help = false)]
 #[command(
     after_help = "Exit status: 0 done, 1 the input is wrong, 2 the command line is wrong, \
-3 stopped at a limit (what was made is kept), 4 the answer is no (nothing was found)."
+3 stopped at a limit (what was made is kept), 4 the answer is no (nothing was found, trees differ)."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -68,6 +70,8 @@ enum Command {
     /// Find the pixels whose ray trees satisfy a query
     #[command(after_help = find::HELP)]
     Find(find::Find),
+    /// Tell where two ray trees of a pixel differ, and which law is broken
+    Diff(diff::Diff),
     /// Measure what accuracy costs in time
     Cost(cost::Cost),
     /// Look at hard cases: what common arithmetic makes of them, and what raytree does
@@ -126,6 +130,7 @@ fn run(cli: Cli) -> Result<Completion, Failure> {
         Some(Command::Trace(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
         Some(Command::Find(command)) => command.run(),
+        Some(Command::Diff(command)) => command.run(),
         Some(Command::Cost(command)) => command.run(),
         Some(Command::Stability(command)) => command.run(),
         Some(Command::Scenes(command)) => command.run(),

@@ -28,6 +28,9 @@ pub enum Failure {
     /// The command line is wrong in a way that only shows with the scene.
     #[error("{0}")]
     Usage(String),
+    /// A file that was handed in is wrong.
+    #[error("{0}")]
+    Input(String),
     /// A result could not be written.
     #[error("{}: cannot be written: {source}", shown(.path.as_deref()))]
     Output {
@@ -60,7 +63,9 @@ impl Failure {
     pub fn exit_code(&self) -> ExitCode {
         match self {
             Self::CommandLine | Self::Usage(_) => ExitCode::from(2),
-            Self::Scene(_) | Self::Output { .. } | Self::Terminal(_) => ExitCode::from(1),
+            Self::Scene(_) | Self::Input(_) | Self::Output { .. } | Self::Terminal(_) => {
+                ExitCode::from(1)
+            }
         }
     }
 }

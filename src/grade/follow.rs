@@ -15,17 +15,15 @@ use crate::scene::{Bends, Settings};
 use crate::shading::{FresnelSplit, Secondary, ShadingPoint};
 use crate::trace::facts::{Fact, FactName, PixelFacts, RayFacts, Step, TreePath, sorted};
 use crate::tracer::laws::{Bent, Laws};
-use crate::tracer::light_sampler::{LightSampler, PointSampler, ShadowRay};
+use crate::tracer::light_sampler::{PointSampler, ShadowRay};
 use crate::tracer::pixel::camera_sample;
 use crate::world::World;
 
 /// What a pixel is compared with: the scene, the settings, and our tree.
 #[derive(Clone, Copy)]
 pub struct PixelReference<'a> {
-    /// The scene with its accelerator.
-    pub world: &'a World,
-    /// The settings.
-    pub settings: &'a Settings,
+    /// The scene with its accelerator and the settings, if they are known.
+    pub scene: Option<(&'a World, &'a Settings)>,
     /// The pixel.
     pub pixel: (u32, u32),
     /// Our tree of the pixel.
@@ -39,9 +37,14 @@ pub fn expected(
     given: &PixelFacts,
     bends: Bends,
 ) -> Vec<Vec<(FactName, Fact)>> {
+    let Some((world, settings)) = of.scene else {
+        return vec![Vec::new(); of.facts.rays.len()];
+    };
     let theirs: HashMap<&TreePath, &RayFacts> = given.rays.iter().map(|r| (&r.path, r)).collect();
     let mut walk = Walk {
         of,
+        world,
+        settings,
         theirs,
         laws: Bent(bends),
         vertices: Vec::with_capacity(of.facts.rays.len()),
@@ -57,6 +60,8 @@ pub fn expected(
 /// A walk over the rays, parents first.
 struct Walk<'a> {
     of: PixelReference<'a>,
+    world: &'a World,
+    settings: &'a Settings,
     /// The student's rays by name.
     theirs: HashMap<&'a TreePath, &'a RayFacts>,
     laws: Bent,
@@ -90,12 +95,7 @@ impl<'a> Walk<'a> {
         believed: Believed,
         facts: &mut Vec<(FactName, Fact)>,
     ) -> Option<BelievedVertex> {
-        let PixelReference {
-            world,
-            settings,
-            pixel,
-            ..
-        } = self.of;
+        let (world, settings, pixel) = (self.world, self.settings, self.of.pixel);
         let sent = match (believed.ours.kind, believed.ours.parent) {
             (RayKind::Incident, _) => {
                 let film = camera_sample(settings, pixel, believed.ours.path.sample).film;
@@ -168,8 +168,8 @@ impl<'a> Walk<'a> {
     }
 
     fn point<'v>(&'v self, vertex: &'v BelievedVertex) -> ShadingPoint<'v> {
-        let material = self.of.world.scene.material_of(vertex.primitive);
-        ShadingPoint::new(&vertex.at, material, self.of.settings.effects)
+        let material = self.world.scene.material_of(vertex.primitive);
+        ShadingPoint::new(&vertex.at, material, self.settings.effects)
     }
 
     /// The split of light at a transparent surface, with the indices that the student has.
@@ -178,7 +178,7 @@ impl<'a> Walk<'a> {
         let (n1, n2) = (ours.number(&FactName::N1)?, ours.number(&FactName::N2)?);
         let theirs = self.theirs.get(&ours.path);
         let given = |name| theirs.and_then(|ray| ray.number(name));
-        let model = self.of.settings.fresnel;
+        let model = self.settings.fresnel;
         let (Some(g1), Some(g2)) = (given(&FactName::N1), given(&FactName::N2)) else {
             return Some(self.laws.split(point, model, [n1, n2]));
         };
@@ -194,7 +194,7 @@ impl<'a> Walk<'a> {
         vertex: &BelievedVertex,
         facts: &mut Vec<(FactName, Fact)>,
     ) {
-        let scene = &self.of.world.scene;
+        let scene = &self.world.scene;
         let point = self.point(vertex);
         let mut add = |term: Option<Term>| {
             facts.extend(
@@ -211,12 +211,12 @@ impl<'a> Walk<'a> {
         let split = self.split(index, &point);
         if let Some(split) = &split {
             let base = [&FactName::N1, &FactName::N2].map(|name| ours.number(name).unwrap_or(1.0));
-            let media = self.laws.split(&point, self.of.settings.fresnel, base);
+            let media = self.laws.split(&point, self.settings.fresnel, base);
             facts.push((FactName::N1, Fact::Number(media.n1)));
             facts.push((FactName::N2, Fact::Number(media.n2)));
             facts.push((FactName::Reflectance, Fact::Number(split.reflectance)));
         }
-        let limit = self.laws.depth(self.of.settings.recursion.depth);
+        let limit = self.laws.depth(self.settings.recursion.depth);
         for kind in [RayKind::Reflected, RayKind::Transmitted] {
             let wanted = self.wanted(kind, &point, split.as_ref()).is_ok();
             // Whether its weight is too small depends on all before it: there ours decides.
@@ -237,7 +237,7 @@ impl<'a> Walk<'a> {
         light: u32,
         facts: &mut Vec<(FactName, Fact)>,
     ) {
-        let scene = &self.of.world.scene;
+        let scene = &self.world.scene;
         let named = &scene.lights[light as usize];
         if named.kind.is_area() {
             return;
@@ -282,14 +282,13 @@ impl<'a> Walk<'a> {
 
     /// The shadow ray that the laws send to a light.
     fn sent_to(&self, point: &ShadingPoint, light: u32) -> Option<ShadowRay> {
-        let kind = &self.of.world.scene.lights.get(light as usize)?.kind;
-        let sampler = PointSampler::new(self.of.settings, point, kind);
-        let _ = sampler.samples();
+        let kind = &self.world.scene.lights.get(light as usize)?.kind;
+        let sampler = PointSampler::new(self.settings, point, kind);
         self.laws.shadow_ray(&sampler, 0, point, kind).ok()
     }
 
     fn is_occluded(&self, point: &ShadingPoint, light: u32, shadow: &ShadowRay) -> bool {
-        let (world, settings) = (self.of.world, self.of.settings);
+        let (world, settings) = (self.world, self.settings);
         let occluder = self
             .laws
             .occluder((world, settings), (point, light), shadow, &mut Silent);
@@ -298,7 +297,7 @@ impl<'a> Walk<'a> {
 
     /// An L ray: where it goes, and whether its light is seen.
     fn shadow_ray(&self, believed: Believed, facts: &mut Vec<(FactName, Fact)>) {
-        let scene = &self.of.world.scene;
+        let scene = &self.world.scene;
         let (Some(Step::Light(name, _)), Some(parent)) =
             (believed.ours.path.steps.last(), believed.ours.parent)
         else {

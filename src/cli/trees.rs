@@ -1,0 +1,106 @@
+//! Ray trees that commands take: those of a pixel of a scene, and those in files.
+
+use std::fs::File;
+use std::io::{self, Read as _};
+
+use super::Failure;
+use crate::scene::Settings;
+use crate::trace::facts::{PixelFacts, pixel_facts};
+use crate::trace::read::limits::MAX_TREE_FILE_BYTES;
+use crate::trace::read::read_trees;
+use crate::trace::{View, document, trace_pixel};
+use crate::world::World;
+
+/// One side of a comparison.
+pub enum Side {
+    /// A file of ray trees, or - for standard input.
+    File(String),
+    /// A pixel of a scene.
+    Scene {
+        /// As on the command line.
+        scene: String,
+        /// Column and row.
+        pixel: (u32, u32),
+    },
+}
+
+/// A side from its text: `SCENE@X,Y`, or a file.
+pub fn parse_side(text: &str) -> Result<Side, Failure> {
+    let Some((scene, pixel)) = text.rsplit_once('@') else {
+        return Ok(Side::File(text.to_owned()));
+    };
+    let numbers = pixel
+        .split_once(',')
+        .and_then(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)));
+    let pixel = numbers.ok_or_else(|| {
+        Failure::Usage(format!(
+            "`{text}` names no pixel; write SCENE@X,Y, such as whitted@160,120"
+        ))
+    })?;
+    Ok(Side::Scene {
+        scene: scene.to_owned(),
+        pixel,
+    })
+}
+
+/// The facts of a traced pixel.
+pub fn facts_of(
+    world: &World,
+    settings: &Settings,
+    pixel: (u32, u32),
+) -> Result<PixelFacts, Failure> {
+    let (width, height) = settings.size();
+    if pixel.0 >= width || pixel.1 >= height {
+        let (x, y) = pixel;
+        let what = format!("pixel {x},{y} is outside the picture of {width}x{height} (see --size)");
+        return Err(Failure::Usage(what));
+    }
+    let trace = trace_pixel(world, settings, pixel, false);
+    let view = View {
+        world,
+        settings,
+        trace: &trace,
+    };
+    Ok(pixel_facts(&document::of(view)))
+}
+
+/// The facts of a pixel in a file: of the only one there if it does not tell its pixel.
+pub fn read_file(path: &str, pixel: Option<(u32, u32)>) -> Result<PixelFacts, Failure> {
+    let bytes = bytes_of(path)
+        .map_err(|source| Failure::Usage(format!("{path}: cannot be read: {source}")))?;
+    let mut problems = Vec::new();
+    let mut trees = Vec::new();
+    for tree in read_trees(&bytes, path) {
+        match tree {
+            Ok(tree) => trees.push(tree),
+            Err(error) => problems.push(error.to_string()),
+        }
+    }
+    let only = trees.len() == 1;
+    let wanted = |tree: &PixelFacts| match (tree.pixel, pixel) {
+        (Some(there), Some(wanted)) => there == wanted,
+        _ => only,
+    };
+    let found = trees.into_iter().find(wanted);
+    found.ok_or_else(|| {
+        Failure::Input(match (problems.first(), pixel) {
+            (Some(problem), _) => problem.clone(),
+            (None, Some((x, y))) => format!("{path}: has no tree of pixel {x},{y}"),
+            (None, None) => {
+                format!("{path}: has trees of several pixels; name a scene and a pixel: SCENE@X,Y")
+            }
+        })
+    })
+}
+
+/// The bytes of a file, or of standard input; one more than is allowed where there are more.
+fn bytes_of(path: &str) -> io::Result<Vec<u8>> {
+    let most = MAX_TREE_FILE_BYTES as u64 + 1;
+    let mut bytes = Vec::new();
+    if path == "-" {
+        io::stdin().lock().take(most).read_to_end(&mut bytes)?;
+    } else {
+        File::open(path)?.take(most).read_to_end(&mut bytes)?;
+    }
+    Ok(bytes)
+}
