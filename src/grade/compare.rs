@@ -142,6 +142,12 @@ fn facts_with_rays(all: &PixelFacts, index: usize, ours: &RayFacts) -> Vec<(Fact
             let sent = all.children(index).any(|(_, child)| child.kind == kind);
             facts.push((FactName::Sends(kind), yes_or_no(sent)));
         }
+        let dark = ours
+            .absent
+            .iter()
+            .filter(|(kind, _, why)| *kind == RayKind::Light && why == "facing-away");
+        let dark = dark.filter_map(|(_, light, _)| light.clone());
+        facts.extend(dark.map(|light| (FactName::Shines(light), yes_or_no(false))));
     }
     facts.sort_by(|(a, _), (b, _)| a.cmp(b));
     facts
@@ -169,6 +175,12 @@ fn told(
         let sent = theirs.contains_key(&ours.path.then(step));
         return (ray.is_some() && sends_rays).then(|| yes_or_no(sent));
     }
+    if let FactName::Shines(light) = name {
+        let step = Step::Light(light.clone(), 0);
+        let shadow_ray = theirs.get(&ours.path.then(step));
+        let lit = shadow_ray.is_some_and(|ray| ray.word(&FactName::Outcome) == Some("lit"));
+        return ray.is_some().then(|| yes_or_no(lit));
+    }
     if let Some(fact) = ray.and_then(|ray| ray.get(name)) {
         return Some(fact.clone());
     }
@@ -184,8 +196,14 @@ fn told(
                     .keys()
                     .any(|path| path.sample == ours.path.sample && path.steps == steps)
             });
+            // One who tells of other shadow rays, and not of this one, has sent none.
             let is_blocked = ours.word(name) == Some("blocked");
-            (is_blocked && parent_is_there).then(|| Fact::Word("blocked".to_owned()))
+            let tells_others = given.rays.iter().any(|ray| {
+                let is_absent = ray.absent.iter().any(|(kind, ..)| *kind == RayKind::Light);
+                ray.kind == RayKind::Light || is_absent
+            });
+            let tells_none = parent_is_there && (is_blocked || tells_others);
+            tells_none.then(|| Fact::Word("blocked".to_owned()))
         }
         _ => None,
     }

@@ -19,6 +19,9 @@ use crate::tracer::light_sampler::{PointSampler, ShadowRay};
 use crate::tracer::pixel::camera_sample;
 use crate::world::World;
 
+/// Directions nearer than this count as equal.
+const SAME_DIRECTION: f64 = 1e-4;
+
 /// What a pixel is compared with: the scene, the settings, and our tree.
 #[derive(Clone, Copy)]
 pub struct PixelReference<'a> {
@@ -244,26 +247,28 @@ impl<'a> Walk<'a> {
         }
         let path = believed.ours.path.then(Step::Light(named.name.clone(), 0));
         let theirs = self.theirs.get(&path).copied();
+        let shines = FactName::Shines(named.name.clone());
         let Some(sent) = self.sent_to(point, light) else {
-            return;
+            return facts.push((shines, yes_or_no(false)));
         };
         let direction = theirs.and_then(|ray| ray.vector(&FactName::Direction));
-        let shadow = direction.map_or(sent, |d| {
-            let direction = DVec3::from_array(d);
-            ShadowRay {
-                n_dot_l: point.at.normal.dot(direction),
-                light: crate::shading::LightSample {
-                    direction,
-                    ..sent.light
-                },
-                ..sent
-            }
+        let direction = direction.map(DVec3::from_array);
+        // What is told as it is sent stays as the laws have it.
+        let other = direction.filter(|d| (*d - sent.light.direction).length() > SAME_DIRECTION);
+        let shadow = other.map_or(sent, |direction| ShadowRay {
+            n_dot_l: point.at.normal.dot(direction),
+            light: crate::shading::LightSample {
+                direction,
+                ..sent.light
+            },
+            ..sent
         });
         let told = theirs.and_then(|ray| ray.word(&FactName::Outcome));
         let occluded = told.map_or_else(
             || self.is_occluded(point, light, &shadow),
             |word| word != "lit",
         );
+        facts.push((shines, yes_or_no(!self.is_occluded(point, light, &sent))));
         self.laws.eval(point, &shadow, occluded, |term| {
             let (name, value) = (named.name.clone(), term.value());
             let factor = match term {

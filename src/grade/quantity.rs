@@ -65,7 +65,7 @@ pub enum QuantityKind {
     Factors,
     /// The reflected share at a boundary.
     Reflectance,
-    /// Whether an R or a T ray is sent.
+    /// Whether an R or a T ray is sent, or a light behind the surface shines on it.
     Sent,
     /// Factor of R or T in the sum.
     Weight,
@@ -125,7 +125,7 @@ impl QuantityKind {
             FactName::Term(..) => Self::Terms,
             FactName::NDotL(..) | FactName::RDotV(..) => Self::Factors,
             FactName::Reflectance => Self::Reflectance,
-            FactName::Sends(_) => Self::Sent,
+            FactName::Sends(_) | FactName::Shines(_) => Self::Sent,
             FactName::Weight => Self::Weight,
             FactName::Radiance => Self::Radiance,
         }
@@ -153,6 +153,7 @@ pub fn law_of(ray: RayKind, name: &FactName) -> Law {
         },
         (FactName::NDotL(..), _) => Law::Diffuse,
         (FactName::RDotV(..), _) => Law::Specular,
+        (FactName::Shines(_), _) => Law::Illumination,
         (FactName::Sends(RayKind::Transmitted), _) => Law::Refract,
         (FactName::Sends(_), _) => Law::Reflect,
         (FactName::Reflectance | FactName::Weight, _) => Law::Shares,
@@ -193,6 +194,7 @@ pub fn field(name: &FactName) -> String {
         FactName::NDotL(light, sample) => format!("n_dot_l:{}", of_light(light, *sample)),
         FactName::RDotV(light, sample) => format!("r_dot_v:{}", of_light(light, *sample)),
         FactName::Reflectance => "boundary.reflectance".into(),
+        FactName::Shines(light) => format!("light of {light}"),
         FactName::Sends(kind) => format!("sends {}", kind.letter()),
         FactName::Weight => "weight".into(),
         FactName::Radiance => "radiance".into(),

@@ -117,6 +117,8 @@ pub enum FactName {
     Reflectance,
     /// Whether its hit sends an R or a T ray: "yes" or "no".
     Sends(RayKind),
+    /// Whether a light that ours does not ask reaches its hit: "yes" or "no".
+    Shines(String),
     /// `weight` of an R or a T ray.
     Weight,
     /// `radiance`.
