@@ -3,8 +3,14 @@
 mod believed;
 pub mod compare;
 pub mod diff;
+pub mod estimate;
+pub mod finder;
 pub mod follow;
+pub mod marks;
+pub mod picture;
 pub mod quantity;
+pub mod report;
 pub mod submission;
+pub mod task;
 pub mod tolerance;
 mod value;

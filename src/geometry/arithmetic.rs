@@ -71,6 +71,16 @@ pub struct Arithmetic {
     pub precision: Precision,
 }
 
+impl Arithmetic {
+    /// That of this tracer, which is the default.
+    pub const OURS: Self = Self {
+        triangle: TriangleTest::Watertight,
+        offset: Offset::Bounded,
+        quadratic: Quadratic::Stable,
+        precision: Precision::Double,
+    };
+}
+
 /// A choice that is not the default.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Deviation {

@@ -5,7 +5,8 @@ mod load;
 mod steady;
 
 pub use ask::{Ask, Asked};
-pub use load::{Check, CheckKind, Task, TaskError, TaskScene};
+pub use load::{Check, CheckKind, Task, TaskError, TaskScene, reference};
+pub use steady::usual;
 
 use std::collections::BTreeMap;
 
@@ -19,6 +20,9 @@ pub struct TaskFile {
     pub format: String,
     /// What it is called.
     pub name: String,
+    /// The scenes, for those who read; each check names its own.
+    #[serde(default)]
+    pub scenes: Vec<String>,
     /// The size of pictures, `WxH`.
     #[serde(default)]
     pub size: Option<String>,

@@ -24,10 +24,10 @@ mod token;
 
 use crate::probe::{Event, RayKind};
 use crate::trace::{Outcome, View};
-use pattern::Pattern;
 use quantity::NodeQuantity;
 
 pub use error::QueryError;
+pub use pattern::Pattern;
 
 /// A query, made from its text with [`str::parse`].
 #[derive(Clone, Debug, PartialEq)]

@@ -54,8 +54,14 @@ impl Ask {
         if compared.quantity == QuantityKind::Sent {
             return 0;
         }
-        let entries = self.entries.iter().filter(|(asked, _)| asked.names(compared));
-        let weight = entries.fold(0, |_, (asked, weight)| if asked.excludes { 0 } else { *weight });
+        let entries = self
+            .entries
+            .iter()
+            .filter(|(asked, _)| asked.names(compared));
+        let weight = entries.fold(
+            0,
+            |_, (asked, weight)| if asked.excludes { 0 } else { *weight },
+        );
         u64::from(weight)
     }
 
@@ -67,7 +73,10 @@ impl Ask {
             What::Law(law) => law == Law::Color && quantity == QuantityKind::Srgb8,
         };
         let entries = self.entries.iter().filter(|(asked, _)| names(asked));
-        u64::from(entries.fold(0, |_, (asked, weight)| if asked.excludes { 0 } else { *weight }))
+        u64::from(entries.fold(
+            0,
+            |_, (asked, weight)| if asked.excludes { 0 } else { *weight },
+        ))
     }
 
     /// True if nothing is asked.
@@ -91,16 +100,34 @@ impl Asked {
 
 /// The direction of I and L rays is not a quantity of `core`: what is made of it is.
 fn is_core(compared: &Compared) -> bool {
-    let of_direction = matches!(compared.quantity, QuantityKind::Direction | QuantityKind::Unit);
-    !of_direction || matches!(compared.kind, RayKind::Reflected | RayKind::Transmitted) || compared.quantity == QuantityKind::Unit
+    let of_direction = matches!(
+        compared.quantity,
+        QuantityKind::Direction | QuantityKind::Unit
+    );
+    !of_direction
+        || matches!(compared.kind, RayKind::Reflected | RayKind::Transmitted)
+        || compared.quantity == QuantityKind::Unit
 }
 
 /// What a law gives and every tracer can tell.
 fn is_printed(quantity: QuantityKind) -> bool {
-    use QuantityKind::{Barycentric, Factors, GeometricNormal, Ior, Medium, Order, Origin, Primitive, Reflectance, Side, Uv};
+    use QuantityKind::{
+        Barycentric, Factors, GeometricNormal, Ior, Medium, Order, Origin, Primitive, Reflectance,
+        Side, Uv,
+    };
     !matches!(
         quantity,
-        Barycentric | Factors | GeometricNormal | Ior | Medium | Order | Origin | Primitive | Reflectance | Side | Uv
+        Barycentric
+            | Factors
+            | GeometricNormal
+            | Ior
+            | Medium
+            | Order
+            | Origin
+            | Primitive
+            | Reflectance
+            | Side
+            | Uv
     )
 }
 
@@ -116,7 +143,9 @@ fn asked(text: &str) -> Result<Asked, String> {
         ("R.", RayKind::Reflected),
         ("T.", RayKind::Transmitted),
     ];
-    let restricted = kinds.iter().find_map(|(prefix, kind)| Some((name.strip_prefix(prefix)?, *kind)));
+    let restricted = kinds
+        .iter()
+        .find_map(|(prefix, kind)| Some((name.strip_prefix(prefix)?, *kind)));
     let (name, ray) = restricted.map_or((name, None), |(name, kind)| (name, Some(kind)));
     let what = match (name, name.strip_prefix("law:")) {
         ("core", _) => What::Core,
@@ -126,7 +155,9 @@ fn asked(text: &str) -> Result<Asked, String> {
             format!("`{text}` names no law; there are {}", names.join(", "))
         })?),
         _ => What::Quantity(QuantityKind::from_str(name).map_err(|_| {
-            let names = QuantityKind::VARIANTS.iter().map(|quantity| quantity.name());
+            let names = QuantityKind::VARIANTS
+                .iter()
+                .map(|quantity| quantity.name());
             let names: Vec<&str> = names.chain(["core", "all", "law:NAME"]).collect();
             format!("`{text}` is no quantity; there are {}", names.join(", "))
         })?),

@@ -1,0 +1,202 @@
+//! Monte Carlo estimates: marked by a test that a right tracer passes with a known chance.
+//!
+//! An estimate has no right digits. Asked are single samples of what a light adds by the diffuse term at a pixel, in luminance.
+//! The mean test is Bernstein's inequality: with n independent samples of variance v, none above M, the mean is farther from the
+//! true one than e with a chance of at most alpha, where e = M L / 3n + sqrt((M L / 3n)^2 + 2 v L / n), L = ln(2 k / alpha), for
+//! all of k pixels together. It holds for every n and however skewed the samples are.
+//! Source: Bernstein 1924; Boucheron, Lugosi and Massart 2013, "Concentration inequalities", section 2.8.
+
+use std::collections::BTreeSet;
+
+use super::marks::{CheckMark, CheckStatus, Given, status};
+use super::task::{Check, EstimateFile, Task, TaskScene};
+use crate::probe::TermKind;
+use crate::sampling::Sampler;
+use crate::scene::{Bends, Settings};
+use crate::trace::facts::{FactName, PixelFacts};
+
+/// The chance that a check of a right tracer fails.
+const ALPHA: f64 = 1e-6;
+
+/// Shadow rays of a traced pixel, and pixels traced with different seeds: 2^18 samples.
+const SAMPLES: u32 = 1 << 12;
+const SEEDS: u64 = 1 << 6;
+
+/// What is known of the samples of a light at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EstimateReference {
+    /// The pixel.
+    pub pixel: (u32, u32),
+    /// Their mean.
+    pub mean: f64,
+    /// Their variance.
+    pub variance: f64,
+    /// The largest of them.
+    pub largest: f64,
+}
+
+impl EstimateReference {
+    /// How far the mean of n samples may be off, for one of k pixels.
+    pub fn allowed(&self, n: f64, k: usize) -> f64 {
+        let l = (2.0 * k as f64 / ALPHA).ln();
+        let linear = self.largest * l / (3.0 * n);
+        linear + (linear * linear + 2.0 * self.variance * l / n).sqrt()
+    }
+}
+
+/// The references of a check.
+pub fn references(
+    scene: &TaskScene,
+    pixels: &[(u32, u32)],
+    asked: &EstimateFile,
+    bends: Bends,
+) -> Result<Vec<EstimateReference>, String> {
+    let lights = &scene.world.scene.lights;
+    let Some(light) = lights.iter().find(|light| light.name == asked.light) else {
+        return Err(format!(
+            "`estimate.light` names `{}`, and the scene has no such light",
+            asked.light
+        ));
+    };
+    if !light.kind.is_area() {
+        return Err(format!(
+            "`{}` has no area: there is nothing to estimate",
+            asked.light
+        ));
+    }
+    if asked.samples == 0 || !(asked.error > 0.0) {
+        return Err("`estimate` needs `samples` and `error` above 0".to_owned());
+    }
+    let settings = sampled(&scene.settings, bends);
+    let reference = |pixel: &(u32, u32)| {
+        let mut values = Vec::new();
+        for seed in 0..SEEDS {
+            values.extend(samples_of(
+                scene,
+                &settings.with(|s| s.seed = seed),
+                *pixel,
+                &asked.light,
+            ));
+        }
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let squares = values.iter().map(|x| (x - mean) * (x - mean));
+        EstimateReference {
+            pixel: *pixel,
+            mean,
+            variance: squares.sum::<f64>() / values.len() as f64,
+            largest: values.iter().copied().fold(0.0, f64::max),
+        }
+    };
+    Ok(pixels.iter().map(reference).collect())
+}
+
+/// The settings with which single samples are drawn: anywhere on the light's area, by chance.
+pub fn sampled(settings: &Settings, bends: Bends) -> Settings {
+    settings.with(|s| {
+        s.bends = bends;
+        s.light.samples = SAMPLES;
+        s.light.sampler = Sampler::Random;
+        s.light.density = crate::sampling::LightSampling::Area;
+        s.pixel.samples = 1;
+    })
+}
+
+/// Single samples of a light's diffuse term at what the eye ray of a pixel hits, in luminance.
+pub fn samples_of(
+    scene: &TaskScene,
+    settings: &Settings,
+    pixel: (u32, u32),
+    light: &str,
+) -> Vec<f64> {
+    let facts = super::task::reference(scene, settings, pixel);
+    let count = settings.light.samples;
+    let mut values = vec![0.0; count as usize];
+    let Some(root) = facts.rays.first() else {
+        return values;
+    };
+    for (name, fact) in &root.facts {
+        if let FactName::Term(TermKind::Diffuse, Some(of), sample) = name
+            && of == light
+            && let crate::trace::facts::Fact::Color(color) = fact
+            && let Some(value) = values.get_mut(*sample as usize)
+        {
+            *value = color.luminance() * f64::from(count);
+        }
+    }
+    values
+}
+
+/// Marks the estimates of a check.
+pub fn mark(
+    task: &Task,
+    check: &Check,
+    asked: &EstimateFile,
+    references: &[EstimateReference],
+    given: &Given,
+) -> CheckMark {
+    let mut mark = CheckMark {
+        most: check.points,
+        ..CheckMark::default()
+    };
+    let mut right = 0;
+    for reference in references {
+        let told = given
+            .tree(task, check.scene, reference.pixel)
+            .ok()
+            .flatten();
+        match told.map_or(Err("is not told".to_owned()), |told| {
+            is_right(reference, asked, told, references.len())
+        }) {
+            Ok(()) => right += 1,
+            Err(what) if mark.note.is_empty() => {
+                let (x, y) = reference.pixel;
+                mark.note = format!("pixel {x},{y}: the estimate {what}");
+            }
+            Err(_) => {}
+        }
+    }
+    let all = references.len().max(1) as u64;
+    mark.score = check.points * right / all;
+    mark.counts.right = right;
+    mark.counts.wrong = all - right;
+    mark.status = match status(mark.score, mark.most) {
+        CheckStatus::None if given.problems.is_empty() => CheckStatus::None,
+        other => other,
+    };
+    mark
+}
+
+/// Whether a pixel's samples are those of a right tracer; what is wrong with them.
+fn is_right(
+    reference: &EstimateReference,
+    asked: &EstimateFile,
+    told: &PixelFacts,
+    pixels: usize,
+) -> Result<(), String> {
+    let values = &told.estimates;
+    let n = values.len() as u64;
+    if n < asked.samples {
+        return Err(format!("has {n} samples, and {} are asked", asked.samples));
+    }
+    let mean = values.iter().sum::<f64>() / n as f64;
+    let allowed = reference.allowed(n as f64, pixels);
+    if !((mean - reference.mean).abs() <= allowed) {
+        return Err(format!(
+            "has the mean {mean:.5}; the true one is {:.5}, and {allowed:.5} off are allowed for {n} samples",
+            reference.mean
+        ));
+    }
+    let variance = values.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / n as f64;
+    let spread = variance / reference.variance;
+    if reference.variance > 0.0 && !(0.5..=2.0).contains(&spread) {
+        return Err(format!(
+            "has samples of variance {variance:.5}, and single samples have {:.5}: are they means?",
+            reference.variance
+        ));
+    }
+    let different: BTreeSet<u64> = values.iter().map(|x| x.to_bits()).take(10_000).collect();
+    if reference.variance > 0.0 && different.len() < 3 {
+        return Err("has fewer than three different samples".to_owned());
+    }
+    Ok(())
+}

@@ -1,0 +1,451 @@
+//! A task that is ready: its scenes are built, its pixels drawn, its reference trees traced.
+
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use super::ask::Ask;
+use super::steady::{self, draw};
+use super::{CheckFile, PictureFile, PixelsFile, Say, TaskFile, ToleranceValue};
+use crate::accel::fastest;
+use crate::grade::quantity::QuantityKind;
+use crate::grade::tolerance::{Allowance, Tolerances};
+use crate::scene::effects::effects;
+use crate::scene::settings::knobs::knob;
+use crate::scene::{Bend, Bends, SceneError, Settings, load};
+use crate::trace::facts::{PixelFacts, pixel_facts};
+use crate::trace::{View, document, trace_pixel_here};
+use crate::tracer::Film;
+use crate::world::World;
+
+/// Bytes of a task file at most.
+const MAX_TASK_BYTES: u64 = 1 << 20;
+/// Checks of a task, and pixels of a check, at most.
+const MAX_CHECKS: usize = 1000;
+/// Pixels of a check at most.
+pub const MAX_PIXELS: usize = 10_000;
+
+/// What is wrong with a task.
+#[derive(Debug, thiserror::Error)]
+pub enum TaskError {
+    /// The task file.
+    #[error("{file}: {what}")]
+    Task {
+        /// Its path.
+        file: String,
+        /// What is wrong, and what to do.
+        what: String,
+    },
+    /// A scene that it names.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+}
+
+/// A task.
+#[derive(Clone)]
+pub struct Task {
+    /// What it is called.
+    pub name: String,
+    /// BLAKE3 of its file, in hexadecimal digits.
+    pub hash: String,
+    /// Whether numbers that are right given the student's own count.
+    pub follow: bool,
+    /// How much messages tell.
+    pub say: Say,
+    /// Percent that are enough.
+    pub pass: u32,
+    /// Bends that count as right, too.
+    pub accept: Vec<Bend>,
+    /// How far off values may be.
+    pub tolerances: Tolerances,
+    /// The scenes, each with the settings it is traced with.
+    pub scenes: Vec<TaskScene>,
+    /// The checks.
+    pub checks: Vec<Check>,
+    /// What is strange, such as pixels that are not steady.
+    pub warnings: Vec<String>,
+}
+
+/// A scene of a task.
+#[derive(Clone)]
+pub struct TaskScene {
+    /// As the task names it.
+    pub label: String,
+    /// As `raytree view` takes it.
+    pub path: String,
+    /// The scene and its accelerator.
+    pub world: Arc<World>,
+    /// The settings.
+    pub settings: Settings,
+}
+
+/// A check.
+#[derive(Clone)]
+pub struct Check {
+    /// Unique name.
+    pub id: String,
+    /// For people.
+    pub title: String,
+    /// Points, in thousandths.
+    pub points: u64,
+    /// Indices of checks of which half of the points must be earned first.
+    pub needs: Vec<usize>,
+    /// Whether students see values and addresses.
+    pub visible: bool,
+    /// Index of the scene.
+    pub scene: usize,
+    /// What is asked.
+    pub kind: CheckKind,
+    /// Points that a student with a bend earns, for the self-test.
+    pub expect: Vec<(Bend, [f64; 2])>,
+}
+
+/// What a check asks.
+#[derive(Clone)]
+pub enum CheckKind {
+    /// Ray trees.
+    Trees {
+        /// Our trees of the pixels.
+        pixels: Vec<PixelFacts>,
+        /// The quantities.
+        ask: Ask,
+        /// Rays below this depth are not asked.
+        depth: Option<usize>,
+    },
+    /// A picture.
+    Picture {
+        /// What is asked of it.
+        asked: PictureFile,
+        /// Ours.
+        film: Arc<Film>,
+    },
+    /// A Monte Carlo estimate of a light's diffuse term.
+    Estimate {
+        /// What is asked.
+        asked: super::EstimateFile,
+        /// Our references, one a pixel.
+        references: Vec<super::super::estimate::EstimateReference>,
+    },
+}
+
+impl Task {
+    /// Reads a task and traces its references, on the threads of the present pool.
+    pub fn load(path: &str) -> Result<Self, TaskError> {
+        let (file, text) = read(path)?;
+        Self::new(path, &file, &text, Bends::default())
+    }
+
+    /// The task with references of one who makes a mistake, for those that count as right, and for the self-test.
+    pub fn bent(path: &str, bends: Bends) -> Result<Self, TaskError> {
+        let (file, text) = read(path)?;
+        Self::new(path, &file, &text, bends)
+    }
+
+    fn new(path: &str, file: &TaskFile, text: &str, bends: Bends) -> Result<Self, TaskError> {
+        let wrong = |what: String| TaskError::Task {
+            file: path.to_owned(),
+            what,
+        };
+        let mut task = Self {
+            name: file.name.clone(),
+            hash: blake3::hash(text.as_bytes()).to_hex().to_string(),
+            follow: file.follow,
+            say: file.say,
+            pass: file.pass,
+            accept: names(&file.accept).map_err(wrong)?,
+            tolerances: tolerances(file).map_err(wrong)?,
+            scenes: Vec::new(),
+            checks: Vec::new(),
+            warnings: Vec::new(),
+        };
+        if file.format != "raytree-task/1" {
+            return Err(wrong(format!(
+                "`format` is `{}`; write raytree-task/1",
+                file.format
+            )));
+        }
+        if file.checks.is_empty() || file.checks.len() > MAX_CHECKS {
+            return Err(wrong(format!(
+                "has {} checks; 1 to {MAX_CHECKS} are possible",
+                file.checks.len()
+            )));
+        }
+        for check in &file.checks {
+            let scene = task.scene(path, file, check)?;
+            let check = task
+                .check(check, scene, bends)
+                .map_err(|what| wrong(format!("check `{}`: {what}", check.id)))?;
+            task.checks.push(check);
+        }
+        Ok(task)
+    }
+
+    /// The index of a check's scene, which is loaded if it is new.
+    fn scene(
+        &mut self,
+        path: &str,
+        file: &TaskFile,
+        check: &CheckFile,
+    ) -> Result<usize, TaskError> {
+        let label = match check.without.is_empty() {
+            true => check.scene.clone(),
+            false => format!("{} without {}", check.scene, check.without.join(", ")),
+        };
+        if let Some(index) = self.scenes.iter().position(|scene| scene.label == label) {
+            return Ok(index);
+        }
+        let wrong = |what: String| TaskError::Task {
+            file: path.to_owned(),
+            what: format!("check `{}`: {what}", check.id),
+        };
+        let scene_path = beside(path, &check.scene).map_err(wrong)?;
+        let scene = load(&scene_path)?;
+        let mut settings = scene.settings;
+        settings.effects = effects(&scene);
+        let size = file
+            .size
+            .as_ref()
+            .map(|size| ("size".to_owned(), size.clone()));
+        let given = file
+            .settings
+            .iter()
+            .map(|(key, value)| (key.replace('_', "-"), value.to_string()));
+        let without =
+            (!check.without.is_empty()).then(|| ("without".to_owned(), check.without.join(",")));
+        for (flag, value) in size.into_iter().chain(given).chain(without) {
+            set(&mut settings, &flag, &value).map_err(wrong)?;
+        }
+        settings.accel = fastest(&scene.shapes);
+        settings.bends = Bends::default();
+        let world = World::new(scene.computed_with(settings.arithmetic), settings.accel);
+        self.scenes.push(TaskScene {
+            label,
+            path: scene_path,
+            world: Arc::new(world),
+            settings,
+        });
+        Ok(self.scenes.len() - 1)
+    }
+
+    fn check(&mut self, file: &CheckFile, scene: usize, bends: Bends) -> Result<Check, String> {
+        let is_letter = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        if file.id.is_empty() || !file.id.chars().all(is_letter) {
+            return Err("its `id` must be of a-z, 0-9 and -".to_owned());
+        }
+        if self.checks.iter().any(|check| check.id == file.id) {
+            return Err("there is another check of this `id`".to_owned());
+        }
+        let needs = file.needs.iter().map(|id| {
+            let index = self.checks.iter().position(|check| check.id == *id);
+            index.ok_or_else(|| format!("`needs` names `{id}`, and no check before has this id"))
+        });
+        let needs = needs.collect::<Result<_, _>>()?;
+        let expect = file
+            .expect
+            .iter()
+            .map(|(name, points)| Ok((bend(name)?, *points)));
+        Ok(Check {
+            id: file.id.clone(),
+            title: if file.title.is_empty() {
+                file.id.clone()
+            } else {
+                file.title.clone()
+            },
+            points: u64::from(file.points) * 1000,
+            needs,
+            visible: file.visible,
+            scene,
+            kind: self.kind(file, scene, bends)?,
+            expect: expect.collect::<Result<_, String>>()?,
+        })
+    }
+
+    fn kind(&mut self, file: &CheckFile, index: usize, bends: Bends) -> Result<CheckKind, String> {
+        let scene = &self.scenes[index];
+        let settings = scene.settings.with(|s| s.bends = bends);
+        if let Some(picture) = &file.picture {
+            if file.pixels.is_some() || !file.ask.is_empty() {
+                return Err("a `picture` has no `pixels` and no `ask` of its own".to_owned());
+            }
+            if !["srgb8", "linear"].contains(&picture.ask.as_str()) {
+                return Err(format!(
+                    "`picture.ask` is `{}`; write srgb8 or linear",
+                    picture.ask
+                ));
+            }
+            let film = crate::tracer::draw(&scene.world, &settings, 0);
+            return Ok(CheckKind::Picture {
+                asked: picture.clone(),
+                film: Arc::new(film),
+            });
+        }
+        let pixels = self.pixels(file, index)?;
+        let scene = &self.scenes[index];
+        if let Some(estimate) = &file.estimate {
+            let references = super::super::estimate::references(scene, &pixels, estimate, bends)?;
+            return Ok(CheckKind::Estimate {
+                asked: estimate.clone(),
+                references,
+            });
+        }
+        let ask = Ask::new(&file.ask)?;
+        if ask.is_empty() {
+            return Err("asks nothing; write `ask`, such as [\"core\"]".to_owned());
+        }
+        Ok(CheckKind::Trees {
+            pixels: pixels
+                .iter()
+                .map(|at| reference(scene, &settings, *at))
+                .collect(),
+            ask,
+            depth: file.depth.map(|depth| depth as usize),
+        })
+    }
+
+    /// The pixels of a check.
+    fn pixels(&mut self, file: &CheckFile, index: usize) -> Result<Vec<(u32, u32)>, String> {
+        let scene = &self.scenes[index];
+        let (width, height) = scene.settings.size();
+        match &file.pixels {
+            None => Err("has no `pixels` and no `picture`; write pixels = [[160, 120]]".to_owned()),
+            Some(PixelsFile::List(list)) if list.len() <= MAX_PIXELS => {
+                let mut unsteady = Vec::new();
+                for [x, y] in list {
+                    if *x >= width || *y >= height {
+                        return Err(format!(
+                            "pixel [{x}, {y}] is outside the picture of {width}x{height}"
+                        ));
+                    }
+                    if !steady::is_steady(scene, (*x, *y)) {
+                        unsteady.push(format!("[{x}, {y}]"));
+                    }
+                }
+                let pixels = list.iter().map(|[x, y]| (*x, *y)).collect();
+                if !unsteady.is_empty() {
+                    self.warnings.push(format!(
+                        "check `{}`: a right tracer in single precision may differ at {}",
+                        file.id,
+                        unsteady.join(", ")
+                    ));
+                }
+                Ok(pixels)
+            }
+            Some(PixelsFile::List(_)) => Err(format!("has more than {MAX_PIXELS} pixels")),
+            Some(PixelsFile::Drawn(rule)) => draw(scene, rule),
+        }
+    }
+}
+
+/// Our tree of a pixel.
+pub fn reference(scene: &TaskScene, settings: &Settings, at: (u32, u32)) -> PixelFacts {
+    let trace = trace_pixel_here(&scene.world, settings, at, false);
+    pixel_facts(&document::of(View {
+        world: &scene.world,
+        settings,
+        trace: &trace,
+    }))
+}
+
+/// The task file and its text.
+fn read(path: &str) -> Result<(TaskFile, String), TaskError> {
+    let wrong = |what: String| TaskError::Task {
+        file: path.to_owned(),
+        what,
+    };
+    let size = std::fs::metadata(path).map_err(|e| wrong(format!("cannot be read: {e}")))?;
+    if !size.is_file() || size.len() > MAX_TASK_BYTES {
+        return Err(wrong("is no file of at most 1 MiB".to_owned()));
+    }
+    let text = std::fs::read_to_string(path).map_err(|e| wrong(format!("cannot be read: {e}")))?;
+    let file = parse(&text).map_err(wrong)?;
+    Ok((file, text))
+}
+
+/// A task file from its text: JSON if it begins with a bracket, else TOML.
+pub fn parse(text: &str) -> Result<TaskFile, String> {
+    if text.trim_start().starts_with('{') {
+        return serde_json::from_str(text).map_err(|e| format!("is no task: {e}"));
+    }
+    toml::from_str(text).map_err(|e| {
+        let line = e.span().map_or(1, |span| {
+            text[..span.start.min(text.len())].lines().count().max(1)
+        });
+        format!("line {line}: {}", e.message())
+    })
+}
+
+/// A scene's path, which does not leave the folder of the task; or the name of a built-in scene.
+fn beside(task: &str, scene: &str) -> Result<String, String> {
+    let path = Path::new(scene);
+    if !path
+        .components()
+        .all(|part| matches!(part, Component::Normal(_)))
+    {
+        return Err(format!(
+            "scene `{scene}` leaves the folder of the task; put it there"
+        ));
+    }
+    let folder = Path::new(task).parent().unwrap_or(Path::new(""));
+    let file: PathBuf = folder.join(path);
+    if file.is_file() {
+        return Ok(file.to_string_lossy().into_owned());
+    }
+    if path.extension().is_some() {
+        return Err(format!(
+            "scene `{scene}` is not beside the task, and is not built in"
+        ));
+    }
+    Ok(scene.to_owned())
+}
+
+/// Sets a knob by its flag.
+fn set(settings: &mut Settings, flag: &str, value: &str) -> Result<(), String> {
+    let knob = knob(flag).filter(|knob| knob.flag != "bend");
+    let knob =
+        knob.ok_or_else(|| format!("`{flag}` is no setting; write one by the name of its flag"))?;
+    use crate::scene::settings::knob::{Kind, Value};
+    let value = match knob.kind {
+        Kind::Choice(words) if !words().iter().any(|word| word.name == value) => {
+            let words: Vec<&str> = words().iter().map(|word| word.name).collect();
+            return Err(format!(
+                "`{flag}` is `{value}`; it is one of {}",
+                words.join(", ")
+            ));
+        }
+        Kind::Choices(_) => Value::List(value.split(',').map(str::to_owned).collect()),
+        kind => kind
+            .parse(value)
+            .map_err(|what| format!("`{flag}`: {what}"))?,
+    };
+    (knob.field.set)(settings, &value);
+    Ok(())
+}
+
+fn bend(name: &str) -> Result<Bend, String> {
+    let bends: Bends = name.parse()?;
+    bends
+        .iter()
+        .next()
+        .ok_or_else(|| format!("`{name}` is no bend"))
+}
+
+fn names(list: &[String]) -> Result<Vec<Bend>, String> {
+    list.iter().map(|name| bend(name)).collect()
+}
+
+fn tolerances(file: &TaskFile) -> Result<Tolerances, String> {
+    let mut all = Tolerances::default();
+    for (name, value) in &file.tolerance {
+        let quantity: QuantityKind = name
+            .parse()
+            .map_err(|_| format!("`tolerance` names `{name}`, which is no quantity"))?;
+        let [absolute, relative] = match *value {
+            ToleranceValue::Absolute(x) => [x, 0.0],
+            ToleranceValue::Both(both) => both,
+        };
+        if !(absolute >= 0.0 && relative >= 0.0) {
+            return Err(format!("the tolerance of `{name}` is below 0"));
+        }
+        all.0.insert(quantity, Allowance { absolute, relative });
+    }
+    Ok(all)
+}
