@@ -9,6 +9,7 @@ mod diff;
 mod effects;
 mod end_signals;
 mod find;
+mod grade;
 mod new_file;
 mod notices;
 mod output;
@@ -72,6 +73,8 @@ enum Command {
     Find(find::Find),
     /// Tell where two ray trees of a pixel differ, and which law is broken
     Diff(diff::Diff),
+    /// Mark what students hand in, and name the law that their tracers break
+    Grade(grade::Grade),
     /// Measure what accuracy costs in time
     Cost(cost::Cost),
     /// Look at hard cases: what common arithmetic makes of them, and what raytree does
@@ -131,6 +134,7 @@ fn run(cli: Cli) -> Result<Completion, Failure> {
         Some(Command::Effects(command)) => command.run(),
         Some(Command::Find(command)) => command.run(),
         Some(Command::Diff(command)) => command.run(),
+        Some(Command::Grade(command)) => command.run(),
         Some(Command::Cost(command)) => command.run(),
         Some(Command::Stability(command)) => command.run(),
         Some(Command::Scenes(command)) => command.run(),

@@ -7,6 +7,7 @@ pub mod estimate;
 pub mod finder;
 pub mod follow;
 pub mod marks;
+pub mod output;
 pub mod picture;
 pub mod quantity;
 pub mod report;
