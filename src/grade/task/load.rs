@@ -315,7 +315,7 @@ impl Task {
                             "pixel [{x}, {y}] is outside the picture of {width}x{height}"
                         ));
                     }
-                    if !steady::is_steady(scene, (*x, *y)) {
+                    if !steady::is_steady(scene, (*x, *y), file.depth) {
                         unsteady.push(format!("[{x}, {y}]"));
                     }
                 }
@@ -330,7 +330,7 @@ impl Task {
                 Ok(pixels)
             }
             Some(PixelsFile::List(_)) => Err(format!("has more than {MAX_PIXELS} pixels")),
-            Some(PixelsFile::Drawn(rule)) => draw(scene, rule),
+            Some(PixelsFile::Drawn(rule)) => draw(scene, rule, file.depth),
         }
     }
 }

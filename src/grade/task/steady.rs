@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use super::DrawnPixels;
 use super::load::{MAX_PIXELS, TaskScene, reference};
 use crate::geometry::{Arithmetic, Offset, Precision};
-use crate::grade::compare::{Status, TreeComparison};
+use crate::grade::compare::{Compared, Status, TreeComparison};
 use crate::grade::follow::PixelReference;
 use crate::grade::quantity::QuantityKind;
 use crate::grade::tolerance::Tolerances;
@@ -26,7 +26,11 @@ const USUAL: Arithmetic = Arithmetic {
 };
 
 /// Draws the pixels of a rule.
-pub fn draw(scene: &TaskScene, rule: &DrawnPixels) -> Result<Vec<(u32, u32)>, String> {
+pub fn draw(
+    scene: &TaskScene,
+    rule: &DrawnPixels,
+    depth: Option<u32>,
+) -> Result<Vec<(u32, u32)>, String> {
     if rule.count == 0 || rule.count > MAX_PIXELS {
         return Err(format!(
             "`pixels.count` is {}; 1 to {MAX_PIXELS} are possible",
@@ -44,7 +48,7 @@ pub fn draw(scene: &TaskScene, rule: &DrawnPixels) -> Result<Vec<(u32, u32)>, St
     for index in 0..TRIES * rule.count as u64 {
         let random = splitmix64(rule.seed ^ splitmix64(index));
         let at = ((random >> 32) as u32 % width, random as u32 % height);
-        if seen.insert(at) && suits(scene, &usual, query.as_ref(), at) {
+        if seen.insert(at) && suits(scene, &usual, query.as_ref(), (at, depth)) {
             found.push(at);
             if found.len() == rule.count {
                 return Ok(found);
@@ -58,7 +62,12 @@ pub fn draw(scene: &TaskScene, rule: &DrawnPixels) -> Result<Vec<(u32, u32)>, St
     ))
 }
 
-fn suits(scene: &TaskScene, usual: &TaskScene, query: Option<&TreeQuery>, at: (u32, u32)) -> bool {
+fn suits(
+    scene: &TaskScene,
+    usual: &TaskScene,
+    query: Option<&TreeQuery>,
+    (at, depth): ((u32, u32), Option<u32>),
+) -> bool {
     let satisfies = |query: &TreeQuery| {
         let trace = trace_pixel_here(&scene.world, &scene.settings, at, false);
         query.holds(View {
@@ -67,12 +76,12 @@ fn suits(scene: &TaskScene, usual: &TaskScene, query: Option<&TreeQuery>, at: (u
             trace: &trace,
         })
     };
-    query.is_none_or(satisfies) && away_from_edges(scene, at) && same_tree(scene, usual, at)
+    query.is_none_or(satisfies) && away_from_edges(scene, at) && same_tree(scene, usual, at, depth)
 }
 
 /// True if a right tracer in single precision with a fixed offset gets the same tree.
-pub fn is_steady(scene: &TaskScene, at: (u32, u32)) -> bool {
-    same_tree(scene, &usual(scene), at)
+pub fn is_steady(scene: &TaskScene, at: (u32, u32), depth: Option<u32>) -> bool {
+    same_tree(scene, &usual(scene), at, depth)
 }
 
 /// The scene as a usual right tracer computes it.
@@ -89,7 +98,9 @@ pub fn usual(scene: &TaskScene) -> TaskScene {
     }
 }
 
-fn same_tree(scene: &TaskScene, usual: &TaskScene, at: (u32, u32)) -> bool {
+/// Rays below this depth may differ.
+fn same_tree(scene: &TaskScene, usual: &TaskScene, at: (u32, u32), depth: Option<u32>) -> bool {
+    let counts = |path: &TreePath| depth.is_none_or(|most| path.depth() <= most as usize + 1);
     let ours = reference(scene, &scene.settings, at);
     let theirs = reference(usual, &usual.settings, at);
     let of = PixelReference {
@@ -102,7 +113,10 @@ fn same_tree(scene: &TaskScene, usual: &TaskScene, at: (u32, u32)) -> bool {
         .all
         .iter()
         .filter(|c| QuantityKind::CORE.contains(&c.quantity));
-    comparison.extra.is_empty() && core.clone().all(|c| c.status == Status::Right)
+    comparison.extra.iter().all(|(path, _)| !counts(path))
+        && core
+            .filter(|c| counts(&c.path))
+            .all(|c| c.status == Status::Right || of_all_below(c, depth))
 }
 
 /// True if the trees of all eight neighbours have the same shape: the same rays on the same objects.
@@ -130,4 +144,9 @@ fn shape(facts: &PixelFacts) -> Vec<(TreePath, Option<String>, Option<String>)> 
         )
     })
     .collect()
+}
+
+/// True for a sum that rays below the depth belong to.
+fn of_all_below(compared: &Compared, depth: Option<u32>) -> bool {
+    depth.is_some() && compared.quantity == QuantityKind::Radiance
 }
