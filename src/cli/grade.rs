@@ -97,23 +97,24 @@ fn tasks(path: &str) -> Result<Vec<Task>, Failure> {
 /// All bends by law.
 fn list_bends() -> Result<Completion, Failure> {
     let width = Bend::all().map(|bend| bend.name().len()).max().unwrap_or(0);
-    let mut text = String::new();
     let mut law = None;
-    for bend in Bend::all() {
+    let lines = Bend::all().map(|bend| {
         let entry = bend.entry();
-        if law != Some(entry.law) {
-            law = Some(entry.law);
-            text += &format!("{}:\n", entry.law);
-        }
-        text += &format!(
-            "  {:width$}  {}\n  {:width$}    {}; shows in: {}\n",
+        let heading = if law.replace(entry.law) == Some(entry.law) {
+            String::new()
+        } else {
+            format!("{}:\n", entry.law)
+        };
+        format!(
+            "{heading}  {:width$}  {}\n  {:width$}    {}; shows in: {}\n",
             bend.name(),
             entry.note,
             "",
             entry.formula,
             entry.tell
-        );
-    }
+        )
+    });
+    let text: String = lines.collect();
     to_stdout(text.as_bytes())
 }
 

@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 use super::follow::{PixelReference, expected, yes_or_no};
 use super::quantity::{QuantityKind, law_of};
 use super::tolerance::Tolerances;
-use crate::probe::{RayKind, TermKind};
+use crate::probe::RayKind;
 use crate::scene::{Bends, Law};
 use crate::trace::facts::{Fact, FactName, PixelFacts, RayFacts, Step, TreePath};
 
@@ -186,9 +186,9 @@ fn told(
     }
     match name {
         // A term of nothing need not be told, nor a light that adds nothing.
-        FactName::Term(kind, ..) if ray.is_some() => {
+        FactName::Term(..) if ray.is_some() => {
             let is_black = ours.get(name) == Some(&Fact::BLACK);
-            (is_black || *kind == TermKind::Emission && is_black).then_some(Fact::BLACK)
+            is_black.then_some(Fact::BLACK)
         }
         FactName::Outcome if ours.kind == RayKind::Light => {
             let parent_is_there = ours.path.steps.split_last().is_some_and(|(_, steps)| {
@@ -225,9 +225,8 @@ fn settle(all: &mut [Compared], tolerances: &Tolerances) {
         } else {
             match agrees(compared.follows.as_ref()) {
                 Some(true) => Status::RightGiven,
-                Some(false) => Status::Wrong,
                 None if is_below(&compared.path, &spoiled) => Status::Follows,
-                None => Status::Wrong,
+                _ => Status::Wrong,
             }
         };
         compared.status = status;

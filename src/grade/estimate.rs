@@ -9,7 +9,7 @@
 use std::collections::BTreeSet;
 
 use super::marks::{CheckMark, CheckStatus, Given, status};
-use super::task::{Check, EstimateFile, Task, TaskScene};
+use super::task::{Check, EstimateFile, TaskScene};
 use crate::probe::TermKind;
 use crate::sampling::Sampler;
 use crate::scene::{Bends, Settings};
@@ -38,7 +38,7 @@ pub struct EstimateReference {
 impl EstimateReference {
     /// How far the mean of n samples may be off, for one of k pixels.
     pub fn allowed(&self, n: f64, k: usize) -> f64 {
-        let l = (2.0 * k as f64 / ALPHA).ln();
+        let l = libm::log(2.0 * k as f64 / ALPHA);
         let linear = self.largest * l / (3.0 * n);
         linear + (linear * linear + 2.0 * self.variance * l / n).sqrt()
     }
@@ -64,7 +64,7 @@ pub fn references(
             asked.light
         ));
     }
-    if asked.samples == 0 || !(asked.error > 0.0) {
+    if asked.samples == 0 || asked.error.is_nan() || asked.error <= 0.0 {
         return Err("`estimate` needs `samples` and `error` above 0".to_owned());
     }
     let settings = sampled(&scene.settings, bends);
@@ -128,7 +128,6 @@ pub fn samples_of(
 
 /// Marks the estimates of a check.
 pub fn mark(
-    task: &Task,
     check: &Check,
     asked: &EstimateFile,
     references: &[EstimateReference],
@@ -140,10 +139,7 @@ pub fn mark(
     };
     let mut right = 0;
     for reference in references {
-        let told = given
-            .tree(task, check.scene, reference.pixel)
-            .ok()
-            .flatten();
+        let told = given.tree(check.scene, reference.pixel).ok().flatten();
         match told.map_or(Err("is not told".to_owned()), |told| {
             is_right(reference, asked, told, references.len())
         }) {
@@ -180,7 +176,7 @@ fn is_right(
     }
     let mean = values.iter().sum::<f64>() / n as f64;
     let allowed = reference.allowed(n as f64, pixels);
-    if !((mean - reference.mean).abs() <= allowed) {
+    if !mean.is_finite() || (mean - reference.mean).abs() > allowed {
         return Err(format!(
             "has the mean {mean:.5}; the true one is {:.5}, and {allowed:.5} off are allowed for {n} samples",
             reference.mean

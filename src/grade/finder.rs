@@ -122,8 +122,9 @@ fn pairs(task: &Task, order: &[&Evidence], errors: u64) -> Vec<Bends> {
     let some: Vec<Bend> = Bend::all()
         .filter(|bend| {
             let mut tally = Tally::default();
-            most.iter()
-                .for_each(|evidence| evidence.add(task, (*bend).into(), &mut tally));
+            for evidence in most {
+                evidence.add(task, (*bend).into(), &mut tally);
+            }
             5 * tally.accounted >= there
         })
         .collect();

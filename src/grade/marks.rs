@@ -124,7 +124,7 @@ pub fn marks(task: &Task, given: &Given) -> Vec<CheckMark> {
             }
             CheckKind::Picture { asked, film } => picture::mark(task, check, asked, film, given),
             CheckKind::Estimate { asked, references } => {
-                estimate::mark(task, check, asked, references, given)
+                estimate::mark(check, asked, references, given)
             }
         });
     }

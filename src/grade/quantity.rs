@@ -137,13 +137,21 @@ pub fn law_of(ray: RayKind, name: &FactName) -> Law {
     match (name, ray) {
         (FactName::Origin | FactName::Direction, RayKind::Incident) => Law::EyeRay,
         (FactName::Origin, _) => Law::Start,
-        (FactName::Direction, RayKind::Reflected) => Law::Reflect,
-        (FactName::Direction, RayKind::Transmitted) => Law::Refract,
-        (FactName::Direction | FactName::Distance, _) => Law::Illumination,
+        (FactName::Direction, RayKind::Reflected) | (FactName::Sends(RayKind::Reflected), _) => {
+            Law::Reflect
+        }
+        (FactName::Direction, RayKind::Transmitted) | (FactName::Sends(_), _) => Law::Refract,
+        (FactName::Direction | FactName::Distance | FactName::Shines(_), _) => Law::Illumination,
         (FactName::Medium | FactName::Ior | FactName::N1 | FactName::N2, _) => Law::Media,
         (FactName::Outcome, RayKind::Light) => Law::Shadow,
-        (FactName::Outcome | FactName::Object | FactName::Primitive | FactName::T, _)
-        | (FactName::Order, _) => Law::Closest,
+        (
+            FactName::Outcome
+            | FactName::Object
+            | FactName::Primitive
+            | FactName::T
+            | FactName::Order,
+            _,
+        ) => Law::Closest,
         (FactName::Term(kind, ..), _) => match kind {
             TermKind::Ambient => Law::Ambient,
             TermKind::Background => Law::Background,
@@ -153,9 +161,6 @@ pub fn law_of(ray: RayKind, name: &FactName) -> Law {
         },
         (FactName::NDotL(..), _) => Law::Diffuse,
         (FactName::RDotV(..), _) => Law::Specular,
-        (FactName::Shines(_), _) => Law::Illumination,
-        (FactName::Sends(RayKind::Transmitted), _) => Law::Refract,
-        (FactName::Sends(_), _) => Law::Reflect,
         (FactName::Reflectance | FactName::Weight, _) => Law::Shares,
         (FactName::Radiance, _) => Law::Radiance,
         _ => Law::Interaction,

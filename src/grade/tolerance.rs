@@ -126,7 +126,9 @@ fn same_order(a: &[String], b: &[String]) -> bool {
                 _ => runs.push(vec![step.clone()]),
             }
         }
-        runs.iter_mut().for_each(|run| run.sort());
+        for run in &mut runs {
+            run.sort();
+        }
         runs
     };
     runs(a) == runs(b)

@@ -64,7 +64,7 @@ impl<'a> Evidence<'a> {
                 CheckKind::Trees { pixels, .. } => {
                     for ours in pixels {
                         let at = ours.pixel.unwrap_or_default();
-                        let theirs = given.tree(task, check.scene, at).ok().flatten();
+                        let theirs = given.tree(check.scene, at).ok().flatten();
                         if let Some(theirs) = theirs
                             && seen.insert((check.scene, at))
                             && all.len() < MOST_PIXELS

@@ -83,12 +83,7 @@ impl Given {
     }
 
     /// The tree of a pixel, or what is wrong with it.
-    pub fn tree(
-        &self,
-        _: &Task,
-        scene: usize,
-        pixel: (u32, u32),
-    ) -> Result<Option<&PixelFacts>, &str> {
+    pub fn tree(&self, scene: usize, pixel: (u32, u32)) -> Result<Option<&PixelFacts>, &str> {
         match self.trees.get(&(scene, pixel)) {
             None => Ok(None),
             Some(Ok(tree)) => Ok(Some(tree)),

@@ -1,8 +1,8 @@
 //! The mark of a check of ray trees.
 
-use super::{CheckMark, Counted, Given, status};
+use super::{CheckMark, Counted, Given};
 use crate::grade::compare::{Status, TreeComparison};
-use crate::grade::diff::TreeDiff;
+use crate::grade::diff::{Cause, TreeDiff};
 use crate::grade::follow::PixelReference;
 use crate::grade::quantity::QuantityKind;
 use crate::grade::task::{Ask, Check, Task};
@@ -12,6 +12,16 @@ use crate::trace::facts::{Fact, FactName, PixelFacts, TreePath};
 /// Causes that a mark keeps.
 const KEPT: usize = 3;
 
+/// What is counted over the pixels of a check.
+#[derive(Default)]
+struct Sum {
+    earned: u64,
+    asked: u64,
+    counts: Counted,
+    causes: Vec<((u32, u32), Cause)>,
+    note: String,
+}
+
 /// Marks the trees of all pixels of a check.
 pub fn mark(
     task: &Task,
@@ -19,88 +29,88 @@ pub fn mark(
     (pixels, ask, depth): (&[PixelFacts], &Ask, Option<usize>),
     given: &Given,
 ) -> CheckMark {
-    let scene = &task.scenes[check.scene];
-    let (mut earned, mut asked) = (0, 0);
-    let mut counts = Counted::default();
-    let mut causes = Vec::new();
-    let mut notes: Vec<&str> = Vec::new();
+    let mut sum = Sum::default();
     for ours in pixels {
-        let at = ours.pixel.unwrap_or_default();
-        let nothing = PixelFacts::default();
-        let theirs = match given.tree(task, check.scene, at) {
-            Ok(tree) => tree.unwrap_or(&nothing),
-            Err(problem) => {
-                notes.push(problem);
-                &nothing
-            }
-        };
-        let of = PixelReference {
-            scene: Some((&scene.world, &scene.settings)),
-            pixel: at,
-            facts: ours,
-        };
-        let comparison = TreeComparison::new(of, theirs, &task.tolerances);
-        let is_asked = |path: &TreePath, kind| depth.is_none_or(|most| level(path, kind) <= most);
-        let mut count = |status: Status, weight: u64| {
-            asked += weight;
-            let slot = match status {
-                Status::Right => &mut counts.right,
-                Status::RightGiven => &mut counts.right_given,
-                Status::Wrong => &mut counts.wrong,
-                Status::Follows => &mut counts.follows,
-                Status::Missing => &mut counts.missing,
-            };
-            *slot += 1;
-            let is_right = status == Status::Right || status == Status::RightGiven && task.follow;
-            earned += if is_right { weight } else { 0 };
-        };
-        for compared in comparison.all.iter().filter(|c| is_asked(&c.path, c.kind)) {
-            let weight = ask.weight(compared);
-            if weight > 0 {
-                count(compared.status, weight);
-            }
-        }
-        for (quantity, ours, theirs) in colors(ours, theirs) {
-            let weight = ask.color_weight(quantity);
-            if weight > 0 {
-                let agrees =
-                    |(ours, theirs): (&Fact, &Fact)| task.tolerances.agree(quantity, ours, theirs);
-                let status = match (ours, &theirs) {
-                    (Some(ours), Some(theirs)) if agrees((ours, theirs)) => Status::Right,
-                    (_, Some(_)) => Status::Wrong,
-                    _ => Status::Missing,
-                };
-                count(status, weight);
-            }
-        }
-        // A ray that should not be is one more quantity, and wrong.
-        let extra = comparison
-            .extra
-            .iter()
-            .filter(|(path, _)| depth.is_none_or(|most| path.depth() <= most));
-        let extra = extra.count() as u64;
-        counts.extra += extra;
-        asked += extra;
-        let has_causes = comparison.all.iter().any(|c| c.status == Status::Wrong);
-        if has_causes && causes.len() < KEPT {
-            let diff = TreeDiff::new(of, theirs, &task.tolerances, &|_| true);
-            causes.extend(
-                diff.causes
-                    .into_iter()
-                    .take(KEPT - causes.len())
-                    .map(|cause| (at, cause)),
-            );
-        }
+        pixel(task, check, (ours, ask, depth), given, &mut sum);
     }
-    let mark = CheckMark::of_share(check, earned, asked);
     CheckMark {
-        status: status(mark.score, mark.most),
-        counts,
-        causes,
-        note: notes
-            .first()
-            .map_or(String::new(), |note| (*note).to_owned()),
-        ..mark
+        counts: sum.counts,
+        causes: sum.causes,
+        note: sum.note,
+        ..CheckMark::of_share(check, sum.earned, sum.asked)
+    }
+}
+
+/// Adds a pixel.
+fn pixel(
+    task: &Task,
+    check: &Check,
+    (ours, ask, depth): (&PixelFacts, &Ask, Option<usize>),
+    given: &Given,
+    sum: &mut Sum,
+) {
+    let at = ours.pixel.unwrap_or_default();
+    let nothing = PixelFacts::default();
+    let theirs = given.tree(check.scene, at).unwrap_or_else(|problem| {
+        problem.clone_into(&mut sum.note);
+        None
+    });
+    let theirs = theirs.unwrap_or(&nothing);
+    let scene = &task.scenes[check.scene];
+    let of = PixelReference {
+        scene: Some((&scene.world, &scene.settings)),
+        pixel: at,
+        facts: ours,
+    };
+    let comparison = TreeComparison::new(of, theirs, &task.tolerances);
+    let counts = |path: &TreePath, kind| depth.is_none_or(|most| level(path, kind) <= most);
+    for compared in comparison.all.iter().filter(|c| counts(&c.path, c.kind)) {
+        sum.add(task, compared.status, ask.weight(compared));
+    }
+    for (quantity, ours, theirs) in colors(ours, theirs) {
+        let status = match (ours, &theirs) {
+            (Some(ours), Some(theirs)) if task.tolerances.agree(quantity, ours, theirs) => {
+                Status::Right
+            }
+            (_, Some(_)) => Status::Wrong,
+            _ => Status::Missing,
+        };
+        sum.add(task, status, ask.color_weight(quantity));
+    }
+    // A ray that should not be is one more quantity, and wrong.
+    let extra = comparison
+        .extra
+        .iter()
+        .filter(|(path, _)| depth.is_none_or(|most| path.depth() <= most));
+    let extra = extra.count() as u64;
+    sum.counts.extra += extra;
+    sum.asked += extra;
+    let has_causes = comparison.all.iter().any(|c| c.status == Status::Wrong);
+    if has_causes && sum.causes.len() < KEPT {
+        let causes = TreeDiff::new(of, theirs, &task.tolerances, &|_| true).causes;
+        let room = KEPT - sum.causes.len();
+        sum.causes
+            .extend(causes.into_iter().take(room).map(|cause| (at, cause)));
+    }
+}
+
+impl Sum {
+    /// Adds a quantity of this weight; nothing if it is not asked.
+    fn add(&mut self, task: &Task, status: Status, weight: u64) {
+        if weight == 0 {
+            return;
+        }
+        let slot = match status {
+            Status::Right => &mut self.counts.right,
+            Status::RightGiven => &mut self.counts.right_given,
+            Status::Wrong => &mut self.counts.wrong,
+            Status::Follows => &mut self.counts.follows,
+            Status::Missing => &mut self.counts.missing,
+        };
+        *slot += 1;
+        let is_right = status == Status::Right || status == Status::RightGiven && task.follow;
+        self.asked += weight;
+        self.earned += if is_right { weight } else { 0 };
     }
 }
 

@@ -133,22 +133,14 @@ fn about(audience: Audience, check: &Check, mark: &CheckMark) -> String {
 }
 
 fn law(audience: Audience, cause: &Cause) -> String {
-    match audience.task.say {
-        Say::Nothing => String::new(),
-        _ => {
-            let places: Vec<String> = std::iter::once(&cause.first)
-                .chain(&cause.also)
-                .take(3)
-                .map(|c| shown(&c.path.to_string()))
-                .map(|path| {
-                    if path.is_empty() {
-                        "the eye ray".to_owned()
-                    } else {
-                        path
-                    }
-                })
-                .collect();
-            format!(": {} is wrong at {}", cause.first.law, places.join(", "))
-        }
+    if audience.task.say == Say::Nothing {
+        return String::new();
     }
+    let places = std::iter::once(&cause.first).chain(&cause.also).take(3);
+    let places = places.map(|compared| match shown(&compared.path.to_string()) {
+        eye if eye.is_empty() => "the eye ray".to_owned(),
+        path => path,
+    });
+    let places: Vec<String> = places.collect();
+    format!(": {} is wrong at {}", cause.first.law, places.join(", "))
 }

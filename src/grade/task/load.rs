@@ -10,6 +10,7 @@ use crate::accel::fastest;
 use crate::grade::quantity::QuantityKind;
 use crate::grade::tolerance::{Allowance, Tolerances};
 use crate::scene::effects::effects;
+use crate::scene::settings::knob::{Kind, Value};
 use crate::scene::settings::knobs::knob;
 use crate::scene::{Bend, Bends, SceneError, Settings, load};
 use crate::trace::facts::{PixelFacts, pixel_facts};
@@ -186,9 +187,10 @@ impl Task {
         file: &TaskFile,
         check: &CheckFile,
     ) -> Result<usize, TaskError> {
-        let label = match check.without.is_empty() {
-            true => check.scene.clone(),
-            false => format!("{} without {}", check.scene, check.without.join(", ")),
+        let label = if check.without.is_empty() {
+            check.scene.clone()
+        } else {
+            format!("{} without {}", check.scene, check.without.join(", "))
         };
         if let Some(index) = self.scenes.iter().position(|scene| scene.label == label) {
             return Ok(index);
@@ -402,7 +404,6 @@ fn set(settings: &mut Settings, flag: &str, value: &str) -> Result<(), String> {
     let knob = knob(flag).filter(|knob| knob.flag != "bend");
     let knob =
         knob.ok_or_else(|| format!("`{flag}` is no setting; write one by the name of its flag"))?;
-    use crate::scene::settings::knob::{Kind, Value};
     let value = match knob.kind {
         Kind::Choice(words) if !words().iter().any(|word| word.name == value) => {
             let words: Vec<&str> = words().iter().map(|word| word.name).collect();

@@ -13,8 +13,8 @@ pub fn interaction(bend: Bend, scene: &Scene, ray: &Ray, hit: &Hit) -> Interacti
     let at = scene.interaction(ray, hit);
     let with = |normal: DVec3| Interaction { normal, ..at };
     let with_both = |normal: DVec3, geometric_normal: DVec3| Interaction {
-        normal,
         geometric_normal,
+        normal,
         ..at
     };
     let shape = &scene.shapes[hit.primitive as usize];
