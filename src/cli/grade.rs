@@ -8,11 +8,13 @@ use super::output::to_stdout;
 use super::{Completion, Failure};
 use crate::grade::output::{Audience, OutputKind};
 use crate::grade::report::Report;
+use crate::grade::selftest::SelfTest;
 use crate::grade::submission::read_submission;
 use crate::grade::task::Task;
 use crate::scene::{Bend, Bends};
 use crate::tracer::thread_pool;
 
+#[allow(clippy::struct_excessive_bools)] // Each is a flag.
 #[derive(Args)]
 pub struct Grade {
     /// The task: what is asked, in TOML or JSON
@@ -33,6 +35,9 @@ pub struct Grade {
     /// Exit with status 4 if a submission is below the pass mark
     #[arg(long)]
     exit_code: bool,
+    /// Test the task itself: what each known mistake earns in it, and whether it is named
+    #[arg(long, conflicts_with_all = ["submissions", "output"])]
+    selftest: bool,
     /// Threads; 0 for one a core
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
@@ -44,6 +49,9 @@ impl Grade {
             return list_bends();
         }
         let path = self.task.as_deref().unwrap_or_default();
+        if self.selftest {
+            return self.self_test(path);
+        }
         let graded = thread_pool::install(self.threads, || {
             let tasks = tasks(path)?;
             let report = Report::new(&tasks, &self.submissions, |path| read_submission(path));
@@ -78,6 +86,26 @@ impl Grade {
             Completion::No
         } else {
             Completion::Whole
+        })
+    }
+}
+
+impl Grade {
+    fn self_test(&self, path: &str) -> Result<Completion, Failure> {
+        let tested = thread_pool::install(self.threads, || {
+            let tasks = tasks(path)?;
+            let test = SelfTest::new(&tasks);
+            let task = tasks.into_iter().next();
+            Ok::<_, Failure>(test.zip(task))
+        });
+        let Some((test, task)) = tested? else {
+            return Ok(Completion::Whole);
+        };
+        to_stdout(test.to_text(&task).as_bytes())?;
+        Ok(if test.failures.is_empty() {
+            Completion::Whole
+        } else {
+            Completion::No
         })
     }
 }

@@ -7,7 +7,7 @@
 
 mod evidence;
 
-pub use evidence::Evidence;
+pub use evidence::{Evidence, shown};
 
 use super::diff::Cause;
 use super::marks::CheckMark;
