@@ -38,6 +38,9 @@ pub struct Grade {
     /// Test the task itself: what each known mistake earns in it, and whether it is named
     #[arg(long, conflicts_with_all = ["submissions", "output"])]
     selftest: bool,
+    /// List the pixels that the task asks, a scene, a column and a row a line
+    #[arg(long, conflicts_with_all = ["submissions", "output", "selftest"])]
+    show: bool,
     /// Threads; 0 for one a core
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
@@ -51,6 +54,11 @@ impl Grade {
         let path = self.task.as_deref().unwrap_or_default();
         if self.selftest {
             return self.self_test(path);
+        }
+        if self.show {
+            let tasks = thread_pool::install(self.threads, || tasks(path))?;
+            let text: String = tasks.iter().take(1).flat_map(Task::asked_pixels).collect();
+            return to_stdout(text.as_bytes());
         }
         let graded = thread_pool::install(self.threads, || {
             let tasks = tasks(path)?;

@@ -7,7 +7,7 @@
 
 mod evidence;
 
-pub use evidence::{Evidence, shown};
+pub use evidence::Evidence;
 
 use super::diff::Cause;
 use super::marks::CheckMark;

@@ -122,7 +122,9 @@ pub fn marks(task: &Task, given: &Given) -> Vec<CheckMark> {
             CheckKind::Trees { pixels, ask, depth } => {
                 trees::mark(task, check, (pixels, ask, *depth), given)
             }
-            CheckKind::Picture { asked, film } => picture::mark(task, check, asked, film, given),
+            CheckKind::Picture { asked, pictures } => {
+                picture::mark(task, check, asked, &pictures.right, given)
+            },
             CheckKind::Estimate { asked, references } => {
                 estimate::mark(check, asked, references, given)
             }

@@ -2,10 +2,12 @@
 
 mod ask;
 mod load;
+mod pictures;
 mod steady;
 
 pub use ask::{Ask, Asked};
 pub use load::{Check, CheckKind, Task, TaskError, TaskScene, reference};
+pub use pictures::BentPictures;
 pub use steady::usual;
 
 use std::collections::BTreeMap;

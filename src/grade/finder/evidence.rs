@@ -1,7 +1,6 @@
 //! What a submission tells of its mistakes: trees, colours of pixels, pictures.
 
 use std::collections::HashSet;
-use std::sync::Arc;
 
 use super::Tally;
 use crate::grade::compare::{Compared, Status, TreeComparison, find};
@@ -9,10 +8,11 @@ use crate::grade::follow::{PixelReference, expected};
 use crate::grade::marks::{Given, agree_in_picture};
 use crate::grade::picture::read_picture;
 use crate::grade::quantity::QuantityKind;
-use crate::grade::task::{CheckKind, PictureFile, Task, reference};
+use crate::grade::task::{BentPictures, CheckKind, PictureFile, Task, reference};
+use crate::math::Rgb;
 use crate::scene::Bends;
 use crate::trace::facts::{Fact, PixelFacts};
-use crate::tracer::{Film, draw};
+use crate::tracer::Film;
 
 /// Pixels with trees that are looked at.
 const MOST_PIXELS: usize = 40;
@@ -45,8 +45,8 @@ pub enum Evidence<'a> {
         scene: usize,
         /// What is asked of it.
         asked: &'a PictureFile,
-        /// Ours.
-        ours: Arc<Film>,
+        /// Ours, and those of the bends.
+        pictures: &'a BentPictures,
         /// The student's.
         theirs: Film,
         /// How many pixels do not agree.
@@ -73,7 +73,8 @@ impl<'a> Evidence<'a> {
                         }
                     }
                 }
-                CheckKind::Picture { asked, film } => {
+                CheckKind::Picture { asked, pictures } => {
+                    let film = &pictures.right;
                     let exposure = task.scenes[check.scene].settings.image.exposure;
                     let size = (film.width, film.height);
                     let theirs = given.picture(&asked.file);
@@ -86,7 +87,7 @@ impl<'a> Evidence<'a> {
                         all.push(Self::Picture {
                             scene: check.scene,
                             asked,
-                            ours: film.clone(),
+                            pictures,
                             errors: errors.count() as u64,
                             theirs,
                         });
@@ -169,22 +170,20 @@ impl<'a> Evidence<'a> {
             Self::Picture {
                 scene,
                 asked,
-                ours,
+                pictures,
                 theirs,
-                ..
+                errors,
             } => {
-                let scene = &task.scenes[*scene];
-                let bent = draw(&scene.world, &scene.settings.with(|s| s.bends = bends), 1);
-                let exposure = scene.settings.image.exposure;
-                let all = ours.pixels.iter().zip(&bent.pixels).zip(&theirs.pixels);
-                for ((ours, bent), theirs) in all {
-                    let bent = shown(bends, *bent, exposure);
-                    let agree = |a, b| agree_in_picture(task, asked, exposure, (a, b));
-                    tally.add(
-                        !agree(*ours, bent),
-                        agree(bent, *theirs),
-                        !agree(*ours, *theirs),
-                    );
+                // Pairs are not drawn: trees must tell them.
+                let Bends([Some(bend), None]) = bends else {
+                    tally.errors += errors;
+                    return;
+                };
+                let exposure = task.scenes[*scene].settings.image.exposure;
+                let bent = pictures.bent(bend).pixels.iter();
+                for ((ours, bent), theirs) in pictures.right.pixels.iter().zip(bent).zip(&theirs.pixels) {
+                    let agree = |a: &Rgb, b: &Rgb| agree_in_picture(task, asked, exposure, (*a, *b));
+                    tally.add(!agree(ours, bent), agree(bent, theirs), !agree(ours, theirs));
                 }
             }
         }
@@ -193,15 +192,6 @@ impl<'a> Evidence<'a> {
             tally.pixels += u64::from(tally.explained > before + 1);
         }
     }
-}
-
-/// A colour as a bent picture has it: bends of the colour are done to what the screen shows.
-pub fn shown(bends: Bends, color: crate::math::Rgb, exposure: f64) -> crate::math::Rgb {
-    if bends.of(crate::scene::Law::Color).is_none() || exposure <= 0.0 {
-        return color;
-    }
-    let bytes = bends.srgb8(color * exposure);
-    crate::math::Rgb::from_srgb(bytes.map(|c| f64::from(c) / 255.0)) * (1.0 / exposure)
 }
 
 fn add_tree_fact(task: &Task, compared: &Compared, made: Option<&Fact>, tally: &mut Tally) {

@@ -67,7 +67,7 @@ impl SelfTest {
         if !unseen.is_empty() {
             let _ = writeln!(
                 out,
-                "not seen at any pixel of the task: {}",
+                "not told from a right tracer by what is asked: {}",
                 unseen.join(", ")
             );
         }

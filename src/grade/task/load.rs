@@ -1,9 +1,11 @@
 //! A task that is ready: its scenes are built, its pixels drawn, its reference trees traced.
 
+use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use super::ask::Ask;
+use super::pictures::BentPictures;
 use super::steady::{self, draw};
 use super::{CheckFile, PictureFile, PixelsFile, Say, TaskFile, ToleranceValue};
 use crate::accel::fastest;
@@ -15,7 +17,6 @@ use crate::scene::settings::knobs::knob;
 use crate::scene::{Bend, Bends, SceneError, Settings, load};
 use crate::trace::facts::{PixelFacts, pixel_facts};
 use crate::trace::{View, document, trace_pixel_here};
-use crate::tracer::Film;
 use crate::world::World;
 
 /// Bytes of a task file at most.
@@ -116,8 +117,8 @@ pub enum CheckKind {
     Picture {
         /// What is asked of it.
         asked: PictureFile,
-        /// Ours.
-        film: Arc<Film>,
+        /// Ours, and those of the bends.
+        pictures: Arc<BentPictures>,
     },
     /// A Monte Carlo estimate of a light's diffuse term.
     Estimate {
@@ -139,6 +140,32 @@ impl Task {
     pub fn bent(path: &str, bends: Bends) -> Result<Self, TaskError> {
         let (file, text) = read(path)?;
         Self::new(path, &file, &text, bends)
+    }
+
+    /// The pixels that are asked, a line each: the scene's name, the column and the row.
+    pub fn asked_pixels(&self) -> Vec<String> {
+        let mut lines = BTreeSet::new();
+        for check in &self.checks {
+            let name = &self.scenes[check.scene].world.scene.name;
+            let mut add = |(x, y): (u32, u32)| lines.insert((name, y, x));
+            match &check.kind {
+                CheckKind::Trees { pixels, .. } => {
+                    for pixel in pixels.iter().filter_map(|pixel| pixel.pixel) {
+                        add(pixel);
+                    }
+                }
+                CheckKind::Estimate { references, .. } => {
+                    for reference in references {
+                        add(reference.pixel);
+                    }
+                }
+                CheckKind::Picture { .. } => {}
+            }
+        }
+        let lines = lines.into_iter();
+        lines
+            .map(|(name, y, x)| format!("{name} {x} {y}\n"))
+            .collect()
     }
 
     fn new(path: &str, file: &TaskFile, text: &str, bends: Bends) -> Result<Self, TaskError> {
@@ -274,10 +301,9 @@ impl Task {
                     picture.ask
                 ));
             }
-            let film = crate::tracer::draw(&scene.world, &settings, 0);
             return Ok(CheckKind::Picture {
                 asked: picture.clone(),
-                film: Arc::new(film),
+                pictures: Arc::new(BentPictures::new(scene, bends)),
             });
         }
         let pixels = self.pixels(file, index)?;
