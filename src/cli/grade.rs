@@ -9,7 +9,7 @@ use super::{Completion, Failure};
 use crate::grade::output::{Audience, OutputKind};
 use crate::grade::report::Report;
 use crate::grade::selftest::SelfTest;
-use crate::grade::submission::read_submission;
+use crate::grade::submission::Submission;
 use crate::grade::task::Task;
 use crate::scene::{Bend, Bends};
 use crate::tracer::thread_pool;
@@ -62,7 +62,7 @@ impl Grade {
         }
         let graded = thread_pool::install(self.threads, || {
             let tasks = tasks(path)?;
-            let report = Report::new(&tasks, &self.submissions, |path| read_submission(path));
+            let report = Report::new(&tasks, &self.submissions, |path| Submission::read(path));
             Ok::<_, Failure>((tasks, report))
         });
         let (tasks, report) = graded?;

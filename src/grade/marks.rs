@@ -124,7 +124,7 @@ pub fn marks(task: &Task, given: &Given) -> Vec<CheckMark> {
             }
             CheckKind::Picture { asked, pictures } => {
                 picture::mark(task, check, asked, &pictures.right, given)
-            },
+            }
             CheckKind::Estimate { asked, references } => {
                 estimate::mark(check, asked, references, given)
             }

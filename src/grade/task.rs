@@ -2,11 +2,13 @@
 
 mod ask;
 mod load;
+mod parse;
 mod pictures;
 mod steady;
 
 pub use ask::{Ask, Asked};
 pub use load::{Check, CheckKind, Task, TaskError, TaskScene, reference};
+pub use parse::parse;
 pub use pictures::BentPictures;
 pub use steady::usual;
 

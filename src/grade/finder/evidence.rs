@@ -181,9 +181,16 @@ impl<'a> Evidence<'a> {
                 };
                 let exposure = task.scenes[*scene].settings.image.exposure;
                 let bent = pictures.bent(bend).pixels.iter();
-                for ((ours, bent), theirs) in pictures.right.pixels.iter().zip(bent).zip(&theirs.pixels) {
-                    let agree = |a: &Rgb, b: &Rgb| agree_in_picture(task, asked, exposure, (*a, *b));
-                    tally.add(!agree(ours, bent), agree(bent, theirs), !agree(ours, theirs));
+                for ((ours, bent), theirs) in
+                    pictures.right.pixels.iter().zip(bent).zip(&theirs.pixels)
+                {
+                    let agree =
+                        |a: &Rgb, b: &Rgb| agree_in_picture(task, asked, exposure, (*a, *b));
+                    tally.add(
+                        !agree(ours, bent),
+                        agree(bent, theirs),
+                        !agree(ours, theirs),
+                    );
                 }
             }
         }

@@ -1,26 +1,21 @@
 //! A task that is ready: its scenes are built, its pixels drawn, its reference trees traced.
 
 use std::collections::BTreeSet;
-use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use super::ask::Ask;
+use super::parse::{bend, beside, names, read, set, tolerances};
 use super::pictures::BentPictures;
 use super::steady::{self, draw};
-use super::{CheckFile, PictureFile, PixelsFile, Say, TaskFile, ToleranceValue};
+use super::{CheckFile, PictureFile, PixelsFile, Say, TaskFile};
 use crate::accel::fastest;
-use crate::grade::quantity::QuantityKind;
-use crate::grade::tolerance::{Allowance, Tolerances};
+use crate::grade::tolerance::Tolerances;
 use crate::scene::effects::effects;
-use crate::scene::settings::knob::{Kind, Value};
-use crate::scene::settings::knobs::knob;
 use crate::scene::{Bend, Bends, SceneError, Settings, load};
 use crate::trace::facts::{PixelFacts, pixel_facts};
 use crate::trace::{View, document, trace_pixel_here};
 use crate::world::World;
 
-/// Bytes of a task file at most.
-const MAX_TASK_BYTES: u64 = 1 << 20;
 /// Checks of a task, and pixels of a check, at most.
 const MAX_CHECKS: usize = 1000;
 /// Pixels of a check at most.
@@ -371,108 +366,4 @@ pub fn reference(scene: &TaskScene, settings: &Settings, at: (u32, u32)) -> Pixe
         settings,
         trace: &trace,
     }))
-}
-
-/// The task file and its text.
-fn read(path: &str) -> Result<(TaskFile, String), TaskError> {
-    let wrong = |what: String| TaskError::Task {
-        file: path.to_owned(),
-        what,
-    };
-    let size = std::fs::metadata(path).map_err(|e| wrong(format!("cannot be read: {e}")))?;
-    if !size.is_file() || size.len() > MAX_TASK_BYTES {
-        return Err(wrong("is no file of at most 1 MiB".to_owned()));
-    }
-    let text = std::fs::read_to_string(path).map_err(|e| wrong(format!("cannot be read: {e}")))?;
-    let file = parse(&text).map_err(wrong)?;
-    Ok((file, text))
-}
-
-/// A task file from its text: JSON if it begins with a bracket, else TOML.
-pub fn parse(text: &str) -> Result<TaskFile, String> {
-    if text.trim_start().starts_with('{') {
-        return serde_json::from_str(text).map_err(|e| format!("is no task: {e}"));
-    }
-    toml::from_str(text).map_err(|e| {
-        let line = e.span().map_or(1, |span| {
-            text[..span.start.min(text.len())].lines().count().max(1)
-        });
-        format!("line {line}: {}", e.message())
-    })
-}
-
-/// A scene's path, which does not leave the folder of the task; or the name of a built-in scene.
-fn beside(task: &str, scene: &str) -> Result<String, String> {
-    let path = Path::new(scene);
-    if !path
-        .components()
-        .all(|part| matches!(part, Component::Normal(_)))
-    {
-        return Err(format!(
-            "scene `{scene}` leaves the folder of the task; put it there"
-        ));
-    }
-    let folder = Path::new(task).parent().unwrap_or(Path::new(""));
-    let file: PathBuf = folder.join(path);
-    if file.is_file() {
-        return Ok(file.to_string_lossy().into_owned());
-    }
-    if path.extension().is_some() {
-        return Err(format!(
-            "scene `{scene}` is not beside the task, and is not built in"
-        ));
-    }
-    Ok(scene.to_owned())
-}
-
-/// Sets a knob by its flag.
-fn set(settings: &mut Settings, flag: &str, value: &str) -> Result<(), String> {
-    let knob = knob(flag).filter(|knob| knob.flag != "bend");
-    let knob =
-        knob.ok_or_else(|| format!("`{flag}` is no setting; write one by the name of its flag"))?;
-    let value = match knob.kind {
-        Kind::Choice(words) if !words().iter().any(|word| word.name == value) => {
-            let words: Vec<&str> = words().iter().map(|word| word.name).collect();
-            return Err(format!(
-                "`{flag}` is `{value}`; it is one of {}",
-                words.join(", ")
-            ));
-        }
-        Kind::Choices(_) => Value::List(value.split(',').map(str::to_owned).collect()),
-        kind => kind
-            .parse(value)
-            .map_err(|what| format!("`{flag}`: {what}"))?,
-    };
-    (knob.field.set)(settings, &value);
-    Ok(())
-}
-
-fn bend(name: &str) -> Result<Bend, String> {
-    let bends: Bends = name.parse()?;
-    bends
-        .iter()
-        .next()
-        .ok_or_else(|| format!("`{name}` is no bend"))
-}
-
-fn names(list: &[String]) -> Result<Vec<Bend>, String> {
-    list.iter().map(|name| bend(name)).collect()
-}
-
-fn tolerances(file: &TaskFile) -> Result<Tolerances, String> {
-    let mut all = Tolerances::default();
-    for (name, value) in &file.tolerance {
-        let quantity: QuantityKind = name
-            .parse()
-            .map_err(|_| format!("`tolerance` names `{name}`, which is no quantity"))?;
-        let [absolute, relative] = match *value {
-            ToleranceValue::Absolute(x) => [x, 0.0],
-            ToleranceValue::Both(both) => both,
-        };
-        if !(absolute >= 0.0 && relative >= 0.0) {
-            return Err(format!("the tolerance of `{name}` is below 0"));
-        }
-        all.0.insert(quantity, Allowance { absolute, relative });
-    }
-    Ok(all)
 }
