@@ -29,7 +29,8 @@ fn printed(source: &str, scene: &str, folder: &Path) -> Vec<Value> {
     };
     let mut json = Vec::new();
     flat::write_json(&mut json, &task(scene)).expect("a buffer takes everything");
-    let list: String = pixels().map(|(x, y)| format!("{x} {y}\n")).collect();
+    let list: Vec<String> = pixels().map(|(x, y)| format!("{x} {y}\n")).collect();
+    let list = list.concat();
     let ran = Command::new("python3")
         .arg(write("tracer.py", source.as_bytes()))
         .arg(write("scene.json", &json))
@@ -190,7 +191,8 @@ fn patched(patch: &str, name: &str) -> String {
     );
     let side = |left_out: char| -> String {
         let lines = hunk.iter().filter(|l| !l.starts_with(left_out));
-        lines.map(|line| format!("{}\n", &line[1..])).collect()
+        let lines: Vec<String> = lines.map(|line| format!("{}\n", &line[1..])).collect();
+        lines.concat()
     };
     let (before, after) = (side('+'), side('-'));
     assert_eq!(source().matches(&before).count(), 1, "{name} fits");

@@ -1,0 +1,212 @@
+//! `raytree diff`: a tree agrees with itself, and with a bent law the difference names that bend.
+
+use std::collections::BTreeMap;
+
+use assert_cmd::Command;
+use raytree::accel::AccelKind;
+use raytree::grade::diff::TreeDiff;
+use raytree::grade::follow::PixelReference;
+use raytree::grade::quantity::QuantityKind;
+use raytree::grade::tolerance::Tolerances;
+use raytree::scene::{self, Bend, Settings};
+use raytree::trace::facts::{PixelFacts, pixel_facts};
+use raytree::trace::{View, document, trace_pixel};
+use raytree::world::World;
+
+/// Scenes in which nearly all bends show, with the effects that are left out.
+const SCENES: [&str; 5] = [
+    "lessons/tasks/hits.json",
+    "lessons/tasks/light.json",
+    "lessons/tasks/glass.json",
+    "lamps",
+    "teapot",
+];
+
+fn world(name: &str) -> (World, Settings) {
+    let path = if name.contains('/') {
+        format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))
+    } else {
+        name.to_owned()
+    };
+    let world = World::new(scene::load(&path).expect(name), AccelKind::Bsp);
+    let settings = world.scene.settings.with(|s| {
+        (s.image.width, s.image.height) = (80, 60);
+        s.pixel.samples = 1;
+        s.light.samples = 1;
+    });
+    (world, settings)
+}
+
+fn facts(world: &World, settings: &Settings, at: (u32, u32)) -> PixelFacts {
+    let trace = trace_pixel(world, settings, at, false);
+    pixel_facts(&document::of(View {
+        world,
+        settings,
+        trace: &trace,
+    }))
+}
+
+fn pixels() -> impl Iterator<Item = (u32, u32)> {
+    let columns = [9, 22, 31, 39, 47, 55, 68];
+    [19, 33, 41, 50]
+        .into_iter()
+        .flat_map(move |y| columns.map(|x| (x, y)))
+}
+
+fn compare(
+    of: (&World, &Settings),
+    at: (u32, u32),
+    ours: &PixelFacts,
+    theirs: &PixelFacts,
+) -> TreeDiff {
+    let of = PixelReference {
+        scene: Some(of),
+        pixel: at,
+        facts: ours,
+    };
+    TreeDiff::new(of, theirs, &Tolerances::default(), &|_| true)
+}
+
+#[test]
+fn every_tree_agrees_with_itself() {
+    for name in scene::builtin::names().chain(SCENES) {
+        let (world, settings) = world(name);
+        for at in pixels() {
+            let ours = facts(&world, &settings, at);
+            let diff = compare((&world, &settings), at, &ours, &ours);
+            assert!(diff.is_empty() && diff.asked > 5, "{name} {at:?}: {diff:?}");
+        }
+    }
+}
+
+/// What diff says first of each bend, at all pixels where it changes the tree: it or its law, or something else.
+#[test]
+fn a_bent_law_is_named_first() {
+    // Seen, named first by itself or among others, or by its law.
+    let mut counts: BTreeMap<&str, [u32; 2]> = BTreeMap::new();
+    let mut wrong = Vec::new();
+    for name in SCENES {
+        let (world, settings) = world(name);
+        for at in pixels() {
+            let ours = facts(&world, &settings, at);
+            for bend in Bend::all() {
+                let bent = settings.with(|s| s.bends = bend.into());
+                let theirs = facts(&world, &bent, at);
+                let diff = compare((&world, &settings), at, &ours, &theirs);
+                let Some(first) = diff.causes.first() else {
+                    continue;
+                };
+                let count = counts.entry(bend.name()).or_default();
+                count[0] += 1;
+                if first.as_if.contains(&bend) || first.first.law == bend.law() {
+                    count[1] += 1;
+                } else {
+                    wrong.push(format!(
+                        "{bend} in {name} at {at:?}: {} by {:?}",
+                        first.first.address(at),
+                        first.as_if
+                    ));
+                }
+            }
+        }
+    }
+    let seen: u32 = counts.values().map(|[seen, _]| seen).sum();
+    let named: u32 = counts.values().map(|[_, named]| named).sum();
+    let all = wrong.join("\n");
+    assert!(
+        counts.len() >= 50,
+        "{} bends show: {counts:?}",
+        counts.len()
+    );
+    assert!(
+        f64::from(named) >= 0.99 * f64::from(seen),
+        "{named} of {seen}:\n{all}"
+    );
+}
+
+fn raytree(args: &[&str]) -> (String, Option<i32>) {
+    let output = Command::cargo_bin("raytree")
+        .expect("built")
+        .args(args)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("runs");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned()
+        + &String::from_utf8_lossy(&output.stderr);
+    (text, output.status.code())
+}
+
+#[test]
+fn the_command_tells_the_law_and_where_to_look() {
+    let glass = "lessons/tasks/glass.json@150,130";
+    let (text, status) = raytree(&["diff", glass, glass, "--size", "320x240"]);
+    assert_eq!(status, Some(0), "{text}");
+    let args = [
+        "diff",
+        glass,
+        glass,
+        "--size",
+        "320x240",
+        "--bend-b",
+        "medium-not-tracked",
+    ];
+    let (text, status) = raytree(&args);
+    assert_eq!(status, Some(4), "{text}");
+    assert!(text.contains("as if     medium-not-tracked:"), "{text}");
+    assert!(
+        text.contains("raytree view lessons/tasks/glass.json --size 320x240 --at 150,130/T"),
+        "{text}"
+    );
+    let (text, _) = raytree(&[&args[..], &["--format", "json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(json["format"], "raytree-diff/1");
+    assert_eq!(json["causes"][0]["as_if"][0], "medium-not-tracked");
+    assert!(json["agree"].as_u64() < json["asked"].as_u64());
+}
+
+#[test]
+fn wrong_command_lines_are_told() {
+    for (args, status, part) in [
+        (vec!["diff", "whitted@1", "whitted@1,1"], 2, "SCENE@X,Y"),
+        (vec!["diff", "whitted@9999,1", "whitted@1,1"], 2, "outside"),
+        (
+            vec!["diff", "whitted@1,1", "no-such-file.json"],
+            2,
+            "cannot be read",
+        ),
+        (
+            vec!["diff", "whitted@1,1", "whitted@1,1", "--ask", "colour"],
+            2,
+            "is no quantity",
+        ),
+        (
+            vec!["diff", "whitted@1,1", "whitted@1,1", "--tol", "t=x"],
+            2,
+            "is no tolerance",
+        ),
+        (
+            vec![
+                "diff",
+                "whitted@1,1",
+                "whitted@1,1",
+                "--bend-b",
+                "eta-invertd",
+            ],
+            2,
+            "did you mean `eta-inverted`",
+        ),
+        (vec!["diff", "whitted@1,1", "Cargo.toml"], 1, ""),
+    ] {
+        let (text, code) = raytree(&args);
+        assert_eq!(code, Some(status), "{args:?}: {text}");
+        assert!(text.contains(part), "{args:?}: {text}");
+    }
+}
+
+#[test]
+fn quantities_have_names() {
+    use std::str::FromStr as _;
+    for name in ["outcome", "t", "geometric_normal", "srgb8", "lit"] {
+        assert_eq!(QuantityKind::from_str(name).expect(name).name(), name);
+    }
+}
