@@ -19,7 +19,7 @@ use super::inspect::Progress;
 use crate::geometry::Shape;
 use events::{Best, BoundEvent, sweep};
 use part::{Clip, part};
-use upper::Task;
+use upper::SubtreeTask;
 
 /// What a step to a child and a test of a primitive cost.
 pub const STEP: f64 = 1.0;
@@ -58,7 +58,7 @@ pub fn build(shapes: &[Shape], progress: Progress) -> CompactTree {
     let count = primitives.bounded.len();
     let mut tree = Tree::default();
     if count > 0 {
-        let whole = Task {
+        let whole = SubtreeTask {
             primitives: primitives.bounded,
             bounds,
             place: 0,

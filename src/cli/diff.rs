@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use super::notices::Notices;
 use super::output::to_stdout;
 use super::settings::{SceneArgs, SettingsArgs};
-use super::trees::{Side, facts_of, parse_side, read_file};
+use super::trees::{TreeSource, facts_of, parse_side, read_file};
 use super::{Completion, Failure};
 use crate::accel::clearest;
 use crate::grade::compare::Compared;
@@ -60,7 +60,7 @@ enum DiffFormat {
 impl Diff {
     pub fn run(&self) -> Result<Completion, Failure> {
         let (a, b) = (parse_side(&self.a)?, parse_side(&self.b)?);
-        let Side::Scene { scene, pixel } = &a else {
+        let TreeSource::Scene { scene, pixel } = &a else {
             return self.files(&a, &b);
         };
         let (world, settings) = self.traced(scene)?;
@@ -75,8 +75,8 @@ impl Diff {
     }
 
     /// Two files: without a scene, what is wrong before something else is its cause.
-    fn files(&self, a: &Side, b: &Side) -> Result<Completion, Failure> {
-        let Side::File(path) = a else {
+    fn files(&self, a: &TreeSource, b: &TreeSource) -> Result<Completion, Failure> {
+        let TreeSource::File(path) = a else {
             return Ok(Completion::Whole);
         };
         let mut ours = read_file(path, None)?;
@@ -106,10 +106,10 @@ impl Diff {
     }
 
     /// The facts of B.
-    fn side(&self, side: &Side, pixel: (u32, u32)) -> Result<PixelFacts, Failure> {
+    fn side(&self, side: &TreeSource, pixel: (u32, u32)) -> Result<PixelFacts, Failure> {
         match side {
-            Side::File(path) => read_file(path, Some(pixel)),
-            Side::Scene { scene, pixel } => {
+            TreeSource::File(path) => read_file(path, Some(pixel)),
+            TreeSource::Scene { scene, pixel } => {
                 let (world, settings) = self.traced(scene)?;
                 let bends = self.bend_b.unwrap_or(settings.bends);
                 facts_of(&world, &settings.with(|s| s.bends = bends), *pixel)

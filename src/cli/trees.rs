@@ -12,7 +12,7 @@ use crate::trace::{View, document, trace_pixel};
 use crate::world::World;
 
 /// One side of a comparison.
-pub enum Side {
+pub enum TreeSource {
     /// A file of ray trees, or - for standard input.
     File(String),
     /// A pixel of a scene.
@@ -25,9 +25,9 @@ pub enum Side {
 }
 
 /// A side from its text: `SCENE@X,Y`, or a file.
-pub fn parse_side(text: &str) -> Result<Side, Failure> {
+pub fn parse_side(text: &str) -> Result<TreeSource, Failure> {
     let Some((scene, pixel)) = text.rsplit_once('@') else {
-        return Ok(Side::File(text.to_owned()));
+        return Ok(TreeSource::File(text.to_owned()));
     };
     let numbers = pixel
         .split_once(',')
@@ -37,7 +37,7 @@ pub fn parse_side(text: &str) -> Result<Side, Failure> {
             "`{text}` names no pixel; write SCENE@X,Y, such as whitted@160,120"
         ))
     })?;
-    Ok(Side::Scene {
+    Ok(TreeSource::Scene {
         scene: scene.to_owned(),
         pixel,
     })

@@ -82,7 +82,7 @@ impl TreeComparison {
                         kind: ours.kind,
                         name: name.clone(),
                         quantity,
-                        law: law_of(ours.kind, &name),
+                        law: law(of, ours.kind, &name),
                         ours: fact.clone(),
                         theirs: told.clone(),
                         follows: computed.clone(),
@@ -109,6 +109,21 @@ impl TreeComparison {
             .collect();
         causes.sort_by_key(|c| (level(c), c.law, c.ray));
         causes
+    }
+}
+
+/// The law of a fact. Of the terms of a light with an area it is how the light is sampled.
+fn law(of: PixelReference, kind: RayKind, name: &FactName) -> Law {
+    let is_area = |light: &String| {
+        let lights = of.scene.map_or(&[][..], |(world, _)| &world.scene.lights);
+        lights.iter().any(|l| l.name == *light && l.kind.is_area())
+    };
+    match name {
+        FactName::Term(_, Some(light), _) if is_area(light) => Law::LightSamples,
+        FactName::NDotL(light, _) | FactName::RDotV(light, _) if is_area(light) => {
+            Law::LightSamples
+        }
+        _ => law_of(kind, name),
     }
 }
 

@@ -5,7 +5,7 @@ mod write;
 use std::collections::BTreeMap;
 
 use super::compare::{Compared, Status, TreeComparison, find};
-use super::follow::{Expected, PixelReference, expected};
+use super::follow::{FollowedFacts, PixelReference, expected};
 use super::quantity::{QuantityKind, field};
 use super::tolerance::Tolerances;
 use crate::scene::{Bend, Bends, Law};
@@ -102,14 +102,14 @@ fn causes(
     if first.is_empty() {
         return Vec::new();
     }
-    let bent: Vec<(Bend, Expected)> = Bend::all()
+    let bent: Vec<(Bend, FollowedFacts)> = Bend::all()
         .map(|bend| (bend, expected(of, given, Bends::from(bend))))
         .collect();
     // By law and mistakes; the first of each group is the nearest to the eye.
     let mut groups: BTreeMap<(Vec<Bend>, Option<Law>), usize> = BTreeMap::new();
     let mut causes: Vec<Cause> = Vec::new();
     for compared in first {
-        let explains = |(bend, facts): &(Bend, Expected)| {
+        let explains = |(bend, facts): &(Bend, FollowedFacts)| {
             let told = compared.theirs.as_ref()?;
             let made = find(&facts[compared.ray], &compared.name)?;
             tolerances

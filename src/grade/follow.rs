@@ -34,11 +34,11 @@ pub struct PixelReference<'a> {
 }
 
 /// For each ray of ours, in its order, the facts that follow, sorted by name.
-pub type Expected = Vec<Vec<(FactName, Fact)>>;
+pub type FollowedFacts = Vec<Vec<(FactName, Fact)>>;
 
 /// The facts that follow for each ray of our tree, in its order, from the numbers of `given` by these laws. What cannot be
 /// computed is left out.
-pub fn expected(of: PixelReference, given: &PixelFacts, bends: Bends) -> Expected {
+pub fn expected(of: PixelReference, given: &PixelFacts, bends: Bends) -> FollowedFacts {
     let Some((world, settings)) = of.scene else {
         return vec![Vec::new(); of.facts.rays.len()];
     };

@@ -3,6 +3,7 @@
 //! Everything is counted in whole numbers, so that the sum depends on no order, thread or machine, and right everywhere is exactly
 //! all points.
 
+mod estimate;
 mod given;
 mod picture;
 mod trees;
@@ -11,7 +12,6 @@ pub use given::Given;
 pub use picture::agree as agree_in_picture;
 
 use super::diff::Cause;
-use super::estimate;
 use super::task::{Check, CheckKind, Task};
 
 /// What a check came to.

@@ -1,15 +1,18 @@
 //! Task files, `raytree-task/1`: what is asked, in which scenes, for how many points. TOML, or the same as JSON.
 
 mod ask;
+mod error;
 mod load;
-mod parse;
+pub mod parse;
 mod pictures;
+mod scene;
 mod steady;
 
 pub use ask::{Ask, Asked};
-pub use load::{Check, CheckKind, Task, TaskError, TaskScene, reference};
-pub use parse::parse;
+pub use error::TaskError;
+pub use load::{Check, CheckKind, Task};
 pub use pictures::BentPictures;
+pub use scene::{TaskScene, reference};
 pub use steady::usual;
 
 use std::collections::BTreeMap;

@@ -20,7 +20,7 @@ const PART: usize = 1 << 12;
 const BINS: usize = 256;
 
 /// A cell that is still to be parted.
-pub struct Task {
+pub struct SubtreeTask {
     /// The primitives that reach into it. What part of each does is found out again and again: a number is all that is
     /// kept.
     pub primitives: Vec<u32>,
@@ -34,7 +34,7 @@ pub struct Task {
 }
 
 /// The tree of a scene.
-pub fn tree(clip: &Clip, whole: Task, progress: Progress) -> Tree {
+pub fn tree(clip: &Clip, whole: SubtreeTask, progress: Progress) -> Tree {
     let mut tree = Tree {
         nodes: vec![CompactNode::leaf(0, 0)],
         ..Tree::default()
@@ -49,7 +49,7 @@ pub fn tree(clip: &Clip, whole: Task, progress: Progress) -> Tree {
     // Few at a time, so that few are there twice: by themselves and in the tree.
     let (total, few) = (parts.len(), 4 * rayon::current_num_threads());
     while !parts.is_empty() {
-        let some: Vec<Task> = parts.drain(..few.min(parts.len())).collect();
+        let some: Vec<SubtreeTask> = parts.drain(..few.min(parts.len())).collect();
         let grown = some.into_par_iter().map(|task| {
             let [above, below] = task.levels;
             let cell = Cell::new(task.items(clip).collect(), task.bounds);
@@ -66,7 +66,7 @@ pub fn tree(clip: &Clip, whole: Task, progress: Progress) -> Tree {
 }
 
 /// Parts a cell until its parts are small.
-fn part(clip: &Clip, tree: &mut Tree, task: Task, parts: &mut Vec<Task>) {
+fn part(clip: &Clip, tree: &mut Tree, task: SubtreeTask, parts: &mut Vec<SubtreeTask>) {
     let ([above, below], whole) = (task.levels, task.primitives.len());
     let large = whole > PART && below > 0;
     let plane = large.then(|| task.choose(clip)).flatten();
@@ -92,7 +92,7 @@ fn part(clip: &Clip, tree: &mut Tree, task: Task, parts: &mut Vec<Task>) {
     tree.nodes[task.place] = CompactNode::along(axis, d, children);
     drop(task);
     for (k, (primitives, bounds)) in [(behind, low), (front, high)].into_iter().enumerate() {
-        let half = Task {
+        let half = SubtreeTask {
             primitives,
             bounds,
             place: children + k,
@@ -103,7 +103,7 @@ fn part(clip: &Clip, tree: &mut Tree, task: Task, parts: &mut Vec<Task>) {
     }
 }
 
-impl Task {
+impl SubtreeTask {
     /// The parts of the primitives inside the cell.
     fn items(&self, clip: &Clip) -> impl Iterator<Item = Item> {
         self.primitives.iter().map(|primitive| {

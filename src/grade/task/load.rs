@@ -4,38 +4,21 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::ask::Ask;
+use super::error::TaskError;
 use super::parse::{bend, beside, names, read, set, tolerances};
 use super::pictures::BentPictures;
+use super::scene::{MAX_PIXELS, TaskScene, reference};
 use super::steady::{self, draw};
 use super::{CheckFile, PictureFile, PixelsFile, Say, TaskFile};
 use crate::accel::fastest;
 use crate::grade::tolerance::Tolerances;
 use crate::scene::effects::effects;
-use crate::scene::{Bend, Bends, SceneError, Settings, load};
-use crate::trace::facts::{PixelFacts, pixel_facts};
-use crate::trace::{View, document, trace_pixel_here};
+use crate::scene::{Bend, Bends, load};
+use crate::trace::facts::PixelFacts;
 use crate::world::World;
 
-/// Checks of a task, and pixels of a check, at most.
+/// Checks of a task at most.
 const MAX_CHECKS: usize = 1000;
-/// Pixels of a check at most.
-pub const MAX_PIXELS: usize = 10_000;
-
-/// What is wrong with a task.
-#[derive(Debug, thiserror::Error)]
-pub enum TaskError {
-    /// The task file.
-    #[error("{file}: {what}")]
-    Task {
-        /// Its path.
-        file: String,
-        /// What is wrong, and what to do.
-        what: String,
-    },
-    /// A scene that it names.
-    #[error("{0}")]
-    Scene(#[from] SceneError),
-}
 
 /// A task.
 #[derive(Clone)]
@@ -60,19 +43,6 @@ pub struct Task {
     pub checks: Vec<Check>,
     /// What is strange, such as pixels that are not steady.
     pub warnings: Vec<String>,
-}
-
-/// A scene of a task.
-#[derive(Clone)]
-pub struct TaskScene {
-    /// As the task names it.
-    pub label: String,
-    /// As `raytree view` takes it.
-    pub path: String,
-    /// The scene and its accelerator.
-    pub world: Arc<World>,
-    /// The settings.
-    pub settings: Settings,
 }
 
 /// A check.
@@ -120,7 +90,7 @@ pub enum CheckKind {
         /// What is asked.
         asked: super::EstimateFile,
         /// Our references, one a pixel.
-        references: Vec<super::super::estimate::EstimateReference>,
+        references: Vec<crate::grade::estimate::EstimateReference>,
     },
 }
 
@@ -304,7 +274,7 @@ impl Task {
         let pixels = self.pixels(file, index)?;
         let scene = &self.scenes[index];
         if let Some(estimate) = &file.estimate {
-            let references = super::super::estimate::references(scene, &pixels, estimate, bends)?;
+            let references = crate::grade::estimate::references(scene, &pixels, estimate, bends)?;
             return Ok(CheckKind::Estimate {
                 asked: estimate.clone(),
                 references,
@@ -356,14 +326,4 @@ impl Task {
             Some(PixelsFile::Drawn(rule)) => draw(scene, rule, file.depth),
         }
     }
-}
-
-/// Our tree of a pixel.
-pub fn reference(scene: &TaskScene, settings: &Settings, at: (u32, u32)) -> PixelFacts {
-    let trace = trace_pixel_here(&scene.world, settings, at, false);
-    pixel_facts(&document::of(View {
-        world: &scene.world,
-        settings,
-        trace: &trace,
-    }))
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Component, Path, PathBuf};
 
-use super::load::TaskError;
+use super::error::TaskError;
 use super::{TaskFile, ToleranceValue};
 use crate::grade::quantity::QuantityKind;
 use crate::grade::tolerance::{Allowance, Tolerances};

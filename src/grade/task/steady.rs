@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use super::DrawnPixels;
-use super::load::{MAX_PIXELS, TaskScene, reference};
+use super::scene::{MAX_PIXELS, TaskScene, reference};
 use crate::geometry::{Arithmetic, Offset, Precision};
 use crate::grade::compare::{Compared, Status, TreeComparison};
 use crate::grade::follow::PixelReference;

@@ -28,7 +28,7 @@ pub fn shadow_ray<S: LightSampler>(
         Bend::DirectionalReversed if matches!(kind, LightKind::Directional { .. }) => {
             reversed(light)
         }
-        Bend::AttenuationNone => attenuated(light, 1.0),
+        Bend::AttenuationNone if !kind.is_area() => attenuated(light, 1.0),
         Bend::AttenuationLinear => match *kind {
             LightKind::Point { attenuation, .. } | LightKind::Spot { attenuation, .. } => {
                 let [a, b, _] = attenuation;
@@ -41,7 +41,7 @@ pub fn shadow_ray<S: LightSampler>(
             .map_or(light, |area| area_sample(bend, light, point, area)),
     };
     let ray = sampler.to_light(Some(light));
-    if bend == Bend::LNotUnit && light.distance.is_finite() {
+    if bend == Bend::LNotUnit && light.distance.is_finite() && !kind.is_area() {
         let n_dot_l = |ray: ShadowRay| ray.n_dot_l * light.distance;
         return ray.map(|ray| ShadowRay {
             n_dot_l: n_dot_l(ray),

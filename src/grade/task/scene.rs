@@ -1,0 +1,34 @@
+//! A scene of a task, and our trees of it.
+
+use std::sync::Arc;
+
+use crate::scene::Settings;
+use crate::trace::facts::{PixelFacts, pixel_facts};
+use crate::trace::{View, document, trace_pixel_here};
+use crate::world::World;
+
+/// Pixels of a check at most.
+pub const MAX_PIXELS: usize = 10_000;
+
+/// A scene of a task.
+#[derive(Clone)]
+pub struct TaskScene {
+    /// As the task names it.
+    pub label: String,
+    /// As `raytree view` takes it.
+    pub path: String,
+    /// The scene and its accelerator.
+    pub world: Arc<World>,
+    /// The settings.
+    pub settings: Settings,
+}
+
+/// Our tree of a pixel.
+pub fn reference(scene: &TaskScene, settings: &Settings, at: (u32, u32)) -> PixelFacts {
+    let trace = trace_pixel_here(&scene.world, settings, at, false);
+    pixel_facts(&document::of(View {
+        world: &scene.world,
+        settings,
+        trace: &trace,
+    }))
+}
