@@ -14,6 +14,7 @@ mod new_file;
 mod notices;
 mod output;
 mod render;
+mod run_programs;
 mod scenes;
 mod schema;
 mod settings;

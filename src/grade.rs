@@ -11,6 +11,7 @@ pub mod output;
 pub mod picture;
 pub mod quantity;
 pub mod report;
+pub mod run;
 pub mod selftest;
 pub mod submission;
 pub mod task;

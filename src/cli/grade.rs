@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::output::to_stdout;
+use super::run_programs::RunArgs;
 use super::{Completion, Failure};
 use crate::grade::output::{Audience, OutputKind};
 use crate::grade::report::Report;
@@ -44,6 +45,9 @@ pub struct Grade {
     /// Threads; 0 for one a core
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
+    // Last, as the heading of its flags goes on.
+    #[command(flatten)]
+    programs: RunArgs,
 }
 
 impl Grade {
@@ -62,10 +66,26 @@ impl Grade {
         }
         let graded = thread_pool::install(self.threads, || {
             let tasks = tasks(path)?;
-            let report = Report::new(&tasks, &self.submissions, |path| Submission::read(path));
+            let runner = self.programs.runner(&tasks)?;
+            let mut report = Report::new(&tasks, &self.submissions, |path| {
+                let submission = Submission::read(path);
+                match &runner {
+                    Some(runner) => runner.run(submission),
+                    None => submission,
+                }
+            });
+            if let Some(runner) = &runner {
+                for marked in &mut report.submissions {
+                    marked.problems.insert(0, runner.sandbox());
+                }
+            }
             Ok::<_, Failure>((tasks, report))
         });
         let (tasks, report) = graded?;
+        if self.programs.is_stopped() {
+            eprintln!("stopped: nothing is written");
+            return Ok(Completion::Cut);
+        }
         let Some(task) = tasks.first() else {
             return Ok(Completion::Whole);
         };

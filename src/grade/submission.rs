@@ -20,6 +20,9 @@ use folder::read_folder;
 use gather::{Gathered, unreadable};
 use path::{cleaned, is_zip};
 
+/// Part of the names of files that hold answers at hidden pixels: what is wrong in them is counted and not told.
+pub const HIDDEN: &str = ".hidden.";
+
 /// What one student handed in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Submission {

@@ -28,6 +28,8 @@ mod flat;
 mod formula_edges;
 mod glass_slab;
 mod grade;
+#[cfg(unix)]
+mod grade_run;
 mod hello;
 mod knobs;
 mod laws;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::grade::submission::Submission;
+use crate::grade::submission::{HIDDEN, Submission};
 use crate::grade::task::Task;
 use crate::trace::facts::PixelFacts;
 use crate::trace::query::Pattern;
@@ -32,13 +32,26 @@ impl Given {
         for file in submission.files {
             let start = file.bytes.iter().find(|byte| !byte.is_ascii_whitespace());
             if matches!(start, Some(b'{' | b'[')) || file.name.ends_with("json") {
+                let before = given.problems.len();
                 given.read(task, &file.name, &file.bytes);
+                given.hide(before, &file.name);
             } else {
                 given.pictures.push((file.name, file.bytes));
             }
         }
         given.problems.truncate(MOST_PROBLEMS);
         given
+    }
+
+    /// Counts the problems of a file of hidden pixels: their words could tell where those are.
+    fn hide(&mut self, before: usize, name: &str) {
+        let count = self.problems.len() - before;
+        if name.contains(HIDDEN) && count > 0 {
+            self.problems.truncate(before);
+            self.problems.push(format!(
+                "hidden pixels: {count} problems in what was printed"
+            ));
+        }
     }
 
     fn read(&mut self, task: &Task, name: &str, bytes: &[u8]) {

@@ -68,7 +68,10 @@ pub fn submission(audience: Audience, marked: &Marked) -> String {
         );
     }
     for problem in marked.problems.iter().take(TOLD) {
-        let _ = writeln!(out, "  problem: {}", shown(problem));
+        // Where programs were run, the sandbox is told among the problems, and is none.
+        let is_sandbox = problem.starts_with("sandbox: ");
+        let label = if is_sandbox { "" } else { "problem: " };
+        let _ = writeln!(out, "  {label}{}", shown(problem));
     }
     if marked.problems.len() > TOLD {
         let _ = writeln!(out, "  and {} problems more", marked.problems.len() - TOLD);
