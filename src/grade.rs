@@ -1,5 +1,6 @@
 //! Grading: what students hand in, read with care, compared with this tracer and marked.
 
+pub mod archive;
 mod believed;
 pub mod compare;
 pub mod diff;

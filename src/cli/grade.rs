@@ -1,25 +1,36 @@
 //! `raytree grade`: marks what students hand in.
 
-use std::path::PathBuf;
+mod bends;
+mod export;
+mod merge;
+mod outputs;
+mod selftest;
+mod shard;
+mod students;
+
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use self::export::ExportKind;
+use self::outputs::{Outputs, parse_output};
+use self::shard::Shard;
+use self::students::{Entry, entries};
 use super::output::to_stdout;
 use super::run_programs::RunArgs;
 use super::{Completion, Failure};
-use crate::grade::output::{Audience, OutputKind};
+use crate::grade::output::{Audience, OutputKind, is_datetime};
 use crate::grade::report::Report;
-use crate::grade::selftest::SelfTest;
 use crate::grade::submission::Submission;
-use crate::grade::task::Task;
-use crate::scene::{Bend, Bends};
+use crate::grade::task::{Task, TaskError};
+use crate::scene::{Bend, Bends, FileId};
 use crate::tracer::thread_pool;
 
 #[allow(clippy::struct_excessive_bools)] // Each is a flag.
 #[derive(Args)]
 pub struct Grade {
     /// The task: what is asked, in TOML or JSON
-    #[arg(value_name = "TASK", required_unless_present = "bends")]
+    #[arg(value_name = "TASK", required_unless_present_any = ["bends", "merge"])]
     task: Option<String>,
     /// What was handed in: folders, .zip archives, files of ray trees
     #[arg(value_name = "SUBMISSION")]
@@ -27,12 +38,38 @@ pub struct Grade {
     /// List the mistakes that are known by name
     #[arg(long, conflicts_with = "task")]
     bends: bool,
-    /// Write an output of a kind into a file; without, text goes to standard output
+    /// Write an output of a kind into a file, html also into a folder; without, text goes to standard output
     #[arg(long, value_name = "KIND=FILE", value_parser = parse_output)]
     output: Vec<(OutputKind, PathBuf)>,
+    /// The students of the course, a line `name,id` each: those who handed in nothing are listed, too
+    #[arg(long, value_name = "FILE")]
+    students: Option<PathBuf>,
     /// Leave out what is hidden from students
     #[arg(long)]
     student: bool,
+    /// Mark part K of N of the submissions; its JSON is for --merge
+    #[arg(long, value_name = "K/N")]
+    shard: Option<Shard>,
+    /// Put the JSON of shards together, as if one run had made it
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["task", "bends", "students", "shard"])]
+    merge: Vec<PathBuf>,
+    /// When the submission was handed in, for classroom50: YYYY-MM-DDTHH:MM:SSZ; without, now
+    #[arg(long, value_name = "TIME", value_parser = parse_datetime)]
+    datetime: Option<String>,
+    /// Make a grader for a platform out of the task (needs -o)
+    #[arg(long, value_enum, value_name = "PLATFORM", requires = "archive", conflicts_with_all = ["submissions", "output", "bends", "merge"])]
+    export: Option<ExportKind>,
+    /// The archive that --export makes
+    #[arg(
+        short = 'o',
+        value_name = "FILE.zip",
+        id = "archive",
+        requires = "export"
+    )]
+    archive: Option<PathBuf>,
+    /// The raytree that is put into the archive; without, this one
+    #[arg(long, value_name = "FILE", requires = "export")]
+    program: Option<PathBuf>,
     /// Exit with status 4 if a submission is below the pass mark
     #[arg(long)]
     exit_code: bool,
@@ -53,59 +90,71 @@ pub struct Grade {
 impl Grade {
     pub fn run(&self) -> Result<Completion, Failure> {
         if self.bends {
-            return list_bends();
+            return bends::list();
+        }
+        if !self.merge.is_empty() {
+            return merge::run(&self.merge, &self.output);
         }
         let path = self.task.as_deref().unwrap_or_default();
-        if self.selftest {
-            return self.self_test(path);
+        if let (Some(kind), Some(archive)) = (self.export, &self.archive) {
+            let task = thread_pool::install(self.threads, || {
+                Task::load(path).map_err(|error| input(&error))
+            })?;
+            return kind.write(path, &task, archive, self.program.as_deref());
         }
         if self.show {
             let tasks = thread_pool::install(self.threads, || tasks(path))?;
             let text: String = tasks.iter().take(1).flat_map(Task::asked_pixels).collect();
             return to_stdout(text.as_bytes());
         }
-        let graded = thread_pool::install(self.threads, || {
-            let tasks = tasks(path)?;
-            let runner = self.programs.runner(&tasks)?;
-            let mut report = Report::new(&tasks, &self.submissions, |path| {
-                let submission = Submission::read(path);
-                match &runner {
-                    Some(runner) => runner.run(submission),
-                    None => submission,
-                }
-            });
-            if let Some(runner) = &runner {
-                for marked in &mut report.submissions {
-                    marked.problems.insert(0, runner.sandbox());
-                }
-            }
-            Ok::<_, Failure>((tasks, report))
-        });
-        let (tasks, report) = graded?;
-        if self.programs.is_stopped() {
-            eprintln!("stopped: nothing is written");
-            return Ok(Completion::Cut);
+        if self.selftest {
+            return selftest::run(self.threads, || tasks(path));
         }
+        self.mark(path)
+    }
+
+    fn mark(&self, path: &str) -> Result<Completion, Failure> {
+        let all = entries(&self.submissions, self.students.as_deref())?;
+        for warning in &all.warnings {
+            eprintln!("warning: {warning}");
+        }
+        let entries = match self.shard {
+            Some(shard) => shard.of(&all.entries),
+            None => &all.entries[..],
+        };
+        let tasks = thread_pool::install(self.threads, || tasks(path))?;
         let Some(task) = tasks.first() else {
             return Ok(Completion::Whole);
         };
         for warning in &task.warnings {
             eprintln!("warning: {warning}");
         }
+        let outputs = Outputs::open(&self.output, &self.read(path, task))?;
+        let runner = self.programs.runner(&tasks)?;
+        let mut report = thread_pool::install(self.threads, || {
+            Report::new(&tasks, entries, |entry| match &runner {
+                Some(runner) => runner.run(entry.read()),
+                None => entry.read(),
+            })
+        });
+        if let Some(runner) = &runner {
+            for marked in &mut report.submissions {
+                marked.problems.insert(0, runner.sandbox());
+            }
+        }
+        if self.programs.is_stopped() {
+            eprintln!("stopped: nothing is written");
+            return Ok(Completion::Cut);
+        }
+        report.shard = self.shard.map(|shard| [shard.number, shard.count]);
+        for (marked, entry) in report.submissions.iter_mut().zip(entries) {
+            marked.id.clone_from(&entry.id);
+        }
         let audience = Audience {
             task,
             for_students: self.student,
         };
-        for (kind, file) in &self.output {
-            let text = kind.write(audience, &report);
-            std::fs::write(file, text).map_err(|source| Failure::Output {
-                path: Some(file.clone()),
-                source,
-            })?;
-        }
-        if self.output.is_empty() {
-            to_stdout(OutputKind::Text.write(audience, &report).as_bytes())?;
-        }
+        outputs.write(audience, &report, self.datetime.as_deref())?;
         let below = report
             .submissions
             .iter()
@@ -116,80 +165,57 @@ impl Grade {
             Completion::Whole
         })
     }
+
+    /// The files that are read: no output may take their place.
+    fn read(&self, path: &str, task: &Task) -> Vec<FileId> {
+        let scenes = task.scenes.iter();
+        let scenes = scenes.flat_map(|scene| scene.world.scene.files.iter().cloned());
+        let named = [Some(Path::new(path)), self.students.as_deref()];
+        let named = named.into_iter().flatten();
+        let named = named.chain(self.submissions.iter().map(PathBuf::as_path));
+        let named = named.filter_map(|path| FileId::at(path).ok());
+        named.chain(scenes).collect()
+    }
 }
 
-impl Grade {
-    fn self_test(&self, path: &str) -> Result<Completion, Failure> {
-        let tested = thread_pool::install(self.threads, || {
-            let tasks = tasks(path)?;
-            let test = SelfTest::new(&tasks);
-            let task = tasks.into_iter().next();
-            Ok::<_, Failure>(test.zip(task))
-        });
-        let Some((test, task)) = tested? else {
-            return Ok(Completion::Whole);
+impl Entry {
+    /// What was handed in.
+    fn read(&self) -> Submission {
+        let mut submission = match &self.path {
+            Some(path) => Submission::read(path),
+            None => Submission {
+                problems: vec!["nothing was handed in".to_owned()],
+                ..Submission::default()
+            },
         };
-        to_stdout(test.to_text(&task).as_bytes())?;
-        Ok(if test.failures.is_empty() {
-            Completion::Whole
-        } else {
-            Completion::No
-        })
+        if let Some(name) = &self.name {
+            submission.name.clone_from(name);
+        }
+        submission
     }
 }
 
 /// The task, and the task with each bend that counts as right.
 fn tasks(path: &str) -> Result<Vec<Task>, Failure> {
-    let input = |error: crate::grade::task::TaskError| Failure::Input(error.to_string());
-    let task = Task::load(path).map_err(input)?;
+    let task = Task::load(path).map_err(|error| input(&error))?;
     let accepted: Vec<Bend> = task.accept.clone();
     let mut tasks = vec![task];
     for bend in accepted {
-        tasks.push(Task::bent(path, Bends::from(bend)).map_err(input)?);
+        tasks.push(Task::bent(path, Bends::from(bend)).map_err(|error| input(&error))?);
     }
     Ok(tasks)
 }
 
-/// All bends by law.
-fn list_bends() -> Result<Completion, Failure> {
-    let width = Bend::all().map(|bend| bend.name().len()).max().unwrap_or(0);
-    let mut law = None;
-    let lines = Bend::all().map(|bend| {
-        let entry = bend.entry();
-        let heading = if law.replace(entry.law) == Some(entry.law) {
-            String::new()
-        } else {
-            format!("{}:\n", entry.law)
-        };
-        format!(
-            "{heading}  {:width$}  {}\n  {:width$}    {}; shows in: {}\n",
-            bend.name(),
-            entry.note,
-            "",
-            entry.formula,
-            entry.tell
-        )
-    });
-    let text: String = lines.collect();
-    to_stdout(text.as_bytes())
+fn input(error: &TaskError) -> Failure {
+    Failure::Input(error.to_string())
 }
 
-fn parse_output(text: &str) -> Result<(OutputKind, PathBuf), String> {
-    use clap::ValueEnum as _;
-    let kinds = || {
-        let names: Vec<String> = OutputKind::value_variants()
-            .iter()
-            .filter_map(|kind| Some(kind.to_possible_value()?.get_name().to_owned()))
-            .collect();
-        format!(
-            "`{text}` is no output; write KIND=FILE, where KIND is one of {}",
-            names.join(", ")
-        )
-    };
-    let (kind, file) = text
-        .split_once('=')
-        .filter(|(_, file)| !file.is_empty())
-        .ok_or_else(kinds)?;
-    let kind = OutputKind::from_str(kind, false).map_err(|_| kinds())?;
-    Ok((kind, PathBuf::from(file)))
+fn parse_datetime(text: &str) -> Result<String, String> {
+    if is_datetime(text) {
+        Ok(text.to_owned())
+    } else {
+        Err(format!(
+            "`{text}` is no moment; write it in UTC, such as 2026-02-28T23:59:00Z"
+        ))
+    }
 }

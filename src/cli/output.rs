@@ -90,8 +90,17 @@ pub fn open<const N: usize>(
     read: &[FileId],
     targets: [Target; N],
 ) -> Result<[Option<Destination>; N], Failure> {
-    let mut places: Vec<Option<TargetPlace>> = Vec::with_capacity(N);
-    for target in &targets {
+    let mut opened = [const { None }; N];
+    for (destination, slot) in open_all(read, &targets)?.into_iter().zip(&mut opened) {
+        *slot = destination;
+    }
+    Ok(opened)
+}
+
+/// As [`open`], for any number of files.
+pub fn open_all(read: &[FileId], targets: &[Target]) -> Result<Vec<Option<Destination>>, Failure> {
+    let mut places: Vec<Option<TargetPlace>> = Vec::with_capacity(targets.len());
+    for target in targets {
         let place = TargetPlace::of(target)?;
         let clash = |what: String| {
             let path = shown(target.path);
@@ -121,11 +130,10 @@ pub fn open<const N: usize>(
     if places.iter().any(Option::is_some) {
         end_signals::watch();
     }
-    let mut opened = [const { None }; N];
-    for (place, slot) in places.into_iter().zip(&mut opened) {
-        *slot = place.map(Destination::open).transpose()?;
-    }
-    Ok(opened)
+    let opened = places.into_iter();
+    opened
+        .map(|place| place.map(Destination::open).transpose())
+        .collect()
 }
 
 /// Writes a film to a PNG file.

@@ -11,8 +11,10 @@ mod trees;
 pub use given::Given;
 pub use picture::agree as agree_in_picture;
 
+use super::compare::Compared;
 use super::diff::Cause;
 use super::task::{Check, CheckKind, Task};
+use crate::trace::facts::TreePath;
 
 /// What a check came to.
 #[derive(Clone, Debug, Default)]
@@ -27,8 +29,21 @@ pub struct CheckMark {
     pub counts: Counted,
     /// First causes, with the pixel of each.
     pub causes: Vec<((u32, u32), Cause)>,
+    /// The tree of the first cause.
+    pub tree: Option<CausingTree>,
     /// In words: why it is broken or skipped, how a picture agrees.
     pub note: String,
+}
+
+/// The tree in which a law is broken first: what of it is not ours, and all of the ray of the cause.
+#[derive(Clone, Debug)]
+pub struct CausingTree {
+    /// Its pixel.
+    pub pixel: (u32, u32),
+    /// The quantities.
+    pub compared: Vec<Compared>,
+    /// Rays that ours does not have.
+    pub extra: Vec<TreePath>,
 }
 
 /// What a check came to, in a word.

@@ -1,25 +1,20 @@
 //! The result of grading: what every output is made from.
 
-use std::collections::BTreeMap;
-
 use rayon::prelude::*;
 
 use super::diff::Cause;
-use super::finder::{self, Diagnosis, Evidence, unknown_key};
+use super::finder::{self, Diagnosis, Evidence};
 use super::marks::{CheckMark, Given, marks};
 use super::submission::Submission;
-use super::task::Task;
-
-/// Submissions that must share a cause that nothing explains, for it to be listed.
-const COMMON: usize = 5;
+use super::task::{Say, Task};
 
 /// Marks of all submissions of a task.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// One each, in the order of the command line.
     pub submissions: Vec<Marked>,
-    /// Causes that no bend explains and that several submissions share.
-    pub unknown: Vec<UnknownCause>,
+    /// Which part of all submissions these are, and of how many parts; none if they are all.
+    pub shard: Option<[usize; 2]>,
 }
 
 /// A submission with its marks.
@@ -27,27 +22,14 @@ pub struct Report {
 pub struct Marked {
     /// Its name.
     pub name: String,
+    /// The student's number or mail address in the course's list.
+    pub id: Option<String>,
     /// One for each check.
     pub marks: Vec<CheckMark>,
     /// The mistakes that explain it.
     pub diagnosis: Option<Diagnosis>,
     /// What could not be read.
     pub problems: Vec<String>,
-}
-
-/// A cause that several submissions share.
-#[derive(Clone, Debug)]
-pub struct UnknownCause {
-    /// The law.
-    pub law: &'static str,
-    /// The quantity.
-    pub quantity: String,
-    /// The student's value over ours, to two digits.
-    pub ratio: String,
-    /// The submissions.
-    pub names: Vec<String>,
-    /// Where it shows first.
-    pub address: String,
 }
 
 impl Marked {
@@ -58,6 +40,7 @@ impl Marked {
         let Some(task) = tasks.first() else {
             return Self {
                 name,
+                id: None,
                 marks: Vec::new(),
                 diagnosis: None,
                 problems: submission.problems,
@@ -97,9 +80,34 @@ impl Marked {
             finder::is_worth_it(&marks).then(|| finder::find(task, &Evidence::of(task, given)));
         Self {
             name,
+            id: None,
             marks,
             diagnosis: diagnosis.flatten(),
             problems,
+        }
+    }
+
+    /// What its student may see.
+    fn for_students(&self, task: &Task) -> Self {
+        let checks = task.checks.iter().zip(&self.marks);
+        let marks = checks.map(|(check, mark)| {
+            if check.visible {
+                return mark.clone();
+            }
+            CheckMark {
+                score: mark.score,
+                most: mark.most,
+                status: mark.status,
+                ..CheckMark::default()
+            }
+        });
+        let says = task.say != Say::Nothing;
+        Self {
+            name: self.name.clone(),
+            id: self.id.clone(),
+            marks: marks.collect(),
+            diagnosis: self.diagnosis.clone().filter(|_| says),
+            problems: self.problems.clone(),
         }
     }
 
@@ -146,36 +154,21 @@ impl Report {
 
     /// The report of submissions that were marked.
     pub fn of(submissions: Vec<Marked>) -> Self {
-        let mut groups: BTreeMap<(&'static str, String, String), (Vec<String>, String)> =
-            BTreeMap::new();
-        for marked in submissions
-            .iter()
-            .filter(|marked| marked.diagnosis.is_none())
-        {
-            for (_, at, cause) in marked.causes().filter(|(.., cause)| cause.as_if.is_empty()) {
-                let (law, quantity, ratio) = unknown_key(cause);
-                let address = cause.first.address(at);
-                let group = groups
-                    .entry((law.name(), quantity, ratio))
-                    .or_insert((Vec::new(), address));
-                if group.0.last() != Some(&marked.name) {
-                    group.0.push(marked.name.clone());
-                }
-            }
-        }
-        let common = groups
-            .into_iter()
-            .filter(|(_, (names, _))| names.len() >= COMMON);
-        let unknown = common.map(|((law, quantity, ratio), (names, address))| UnknownCause {
-            law,
-            quantity,
-            ratio,
-            names,
-            address,
-        });
         Self {
-            unknown: unknown.collect(),
             submissions,
+            shard: None,
+        }
+    }
+
+    /// What students may see: of hidden checks the points alone, of mistakes as much as the task says.
+    pub fn for_students(&self, task: &Task) -> Self {
+        Self {
+            submissions: self
+                .submissions
+                .iter()
+                .map(|m| m.for_students(task))
+                .collect(),
+            shard: self.shard,
         }
     }
 }

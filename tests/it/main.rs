@@ -28,6 +28,7 @@ mod flat;
 mod formula_edges;
 mod glass_slab;
 mod grade;
+mod grade_outputs;
 #[cfg(unix)]
 mod grade_run;
 mod hello;

@@ -1,6 +1,6 @@
 //! The mark of a check of ray trees.
 
-use super::{CheckMark, Counted, Given};
+use super::{CausingTree, CheckMark, Counted, Given};
 use crate::grade::compare::{Status, TreeComparison};
 use crate::grade::diff::{Cause, TreeDiff};
 use crate::grade::follow::PixelReference;
@@ -19,6 +19,7 @@ struct Sum {
     asked: u64,
     counts: Counted,
     causes: Vec<((u32, u32), Cause)>,
+    tree: Option<CausingTree>,
     note: String,
 }
 
@@ -36,6 +37,7 @@ pub fn mark(
     CheckMark {
         counts: sum.counts,
         causes: sum.causes,
+        tree: sum.tree,
         note: sum.note,
         ..CheckMark::of_share(check, sum.earned, sum.asked)
     }
@@ -88,9 +90,22 @@ fn pixel(
     let has_causes = comparison.all.iter().any(|c| c.status == Status::Wrong);
     if has_causes && sum.causes.len() < KEPT {
         let causes = TreeDiff::new(of, theirs, &task.tolerances, &|_| true).causes;
+        let ray = causes.first().map(|cause| cause.first.ray);
+        sum.tree.get_or_insert_with(|| causing(at, comparison, ray));
         let room = KEPT - sum.causes.len();
         sum.causes
             .extend(causes.into_iter().take(room).map(|cause| (at, cause)));
+    }
+}
+
+/// What is kept of the tree of a cause at this ray.
+fn causing(pixel: (u32, u32), comparison: TreeComparison, ray: Option<usize>) -> CausingTree {
+    let mut compared = comparison.all;
+    compared.retain(|c| c.status != Status::Right || Some(c.ray) == ray);
+    CausingTree {
+        pixel,
+        compared,
+        extra: comparison.extra.into_iter().map(|(path, _)| path).collect(),
     }
 }
 

@@ -2,17 +2,28 @@
 
 use std::fmt::Write as _;
 
-use super::{Audience, diagnosis, points};
+use super::document::UnknownGroup;
+use super::{Audience, diagnosis, json, open_command, points, shows, told_causes, unknown};
 use crate::grade::diff::Cause;
 use crate::grade::marks::{CheckMark, CheckStatus};
 use crate::grade::quantity::field;
 use crate::grade::report::{Marked, Report};
 use crate::grade::task::{Check, Say};
 use crate::grade::value::shown;
-use crate::scene::printable::shell_word;
 
 /// Problems that are told.
 const TOLD: usize = 5;
+
+/// All submissions.
+pub fn all(audience: Audience, report: &Report) -> String {
+    let submissions = report.submissions.iter();
+    let out: String = submissions.map(|m| submission(audience, m)).collect();
+    if audience.for_students {
+        return out;
+    }
+    let groups = unknown::groups(&json::document(audience, report).submissions);
+    out + &groups.iter().map(of_group).collect::<String>()
+}
 
 /// One submission.
 pub fn submission(audience: Audience, marked: &Marked) -> String {
@@ -40,12 +51,12 @@ pub fn submission(audience: Audience, marked: &Marked) -> String {
             about(audience, check, mark)
         );
     }
-    if let Some(text) = diagnosis(task, marked) {
+    if let Some(text) = diagnosis(audience, marked) {
         let _ = writeln!(out, "{text}");
     }
-    let first = marked
-        .causes()
-        .find(|(check, ..)| shows(audience, &task.checks[*check]));
+    let first = marked.causes().find(|(check, ..)| {
+        shows(audience, &task.checks[*check]) && !told_causes(&marked.marks[*check]).is_empty()
+    });
     if let Some((check, at, cause)) = first {
         let (x, y) = at;
         let first = &cause.first;
@@ -57,14 +68,12 @@ pub fn submission(audience: Audience, marked: &Marked) -> String {
             )
         });
         let scene = &task.scenes[task.checks[check].scene];
-        let (width, height) = scene.settings.size();
         let _ = writeln!(
             out,
-            "  first at {x},{y}{} {}{off}      raytree view {} --size {width}x{height} --at {x},{y}{}",
+            "  first at {x},{y}{} {}{off}      {}",
             shown(&first.path.to_string()),
             field(&first.name),
-            shell_word(&scene.path),
-            shown(&first.path.to_string()),
+            open_command(audience, scene, at, &first.path)
         );
     }
     for problem in marked.problems.iter().take(TOLD) {
@@ -79,31 +88,20 @@ pub fn submission(audience: Audience, marked: &Marked) -> String {
     out
 }
 
-/// Causes that several submissions share and that nothing explains.
-pub fn unknown(audience: Audience, report: &Report) -> String {
-    if audience.for_students {
-        return String::new();
-    }
-    let groups = report.unknown.iter().map(|group| {
-        format!(
-            "{} submissions share a mistake that no bend explains: law {}, {}, {} times ours; first at {}\n",
-            group.names.len(),
-            group.law,
-            group.quantity,
-            group.ratio,
-            shown(&group.address)
-        )
-    });
-    groups.collect()
-}
-
-/// True if values and addresses of a check are told.
-pub fn shows(audience: Audience, check: &Check) -> bool {
-    check.visible || !audience.for_students
+/// A cause that several submissions share and that nothing explains.
+pub fn of_group(group: &UnknownGroup) -> String {
+    format!(
+        "{} submissions share a mistake that no bend explains: law {}, {}, {} times ours; first at {}\n",
+        group.submissions.len(),
+        group.law,
+        group.quantity,
+        group.ratio,
+        shown(&group.address)
+    )
 }
 
 /// What a check came to, in a few words.
-fn about(audience: Audience, check: &Check, mark: &CheckMark) -> String {
+pub fn about(audience: Audience, check: &Check, mark: &CheckMark) -> String {
     let counts = mark.counts;
     let right = counts.right + counts.right_given;
     let asked = right + counts.wrong + counts.follows + counts.missing + counts.extra;
@@ -115,8 +113,7 @@ fn about(audience: Audience, check: &Check, mark: &CheckMark) -> String {
         CheckStatus::Skipped | CheckStatus::Broken => format!("{title}: {}", shown(&mark.note)),
         _ if asked == 0 => format!("{title}: {}", shown(&mark.note)),
         _ => {
-            let law = mark
-                .causes
+            let law = told_causes(mark)
                 .first()
                 .map(|(_, cause)| law(audience, cause))
                 .unwrap_or_default();
@@ -136,7 +133,7 @@ fn about(audience: Audience, check: &Check, mark: &CheckMark) -> String {
 }
 
 fn law(audience: Audience, cause: &Cause) -> String {
-    if audience.task.say == Say::Nothing {
+    if audience.say() == Say::Nothing {
         return String::new();
     }
     let places = std::iter::once(&cause.first).chain(&cause.also).take(3);
