@@ -13,12 +13,12 @@ use raytree::trace::facts::{PixelFacts, pixel_facts};
 use raytree::trace::{View, document, trace_pixel};
 use raytree::world::World;
 
-/// Scenes in which nearly all bends show, with the effects that are left out.
-const SCENES: [&str; 5] = [
+/// Scenes in which nearly all bends show. None has a light with an area: at one pixel their samples, which are drawn by chance, tell no
+/// mistake from another.
+const SCENES: [&str; 4] = [
     "lessons/tasks/hits.json",
     "lessons/tasks/light.json",
     "lessons/tasks/glass.json",
-    "lamps",
     "teapot",
 ];
 
@@ -114,7 +114,7 @@ fn a_bent_law_is_named_first() {
     let named: u32 = counts.values().map(|[_, named]| named).sum();
     let all = wrong.join("\n");
     assert!(
-        counts.len() >= 50,
+        counts.len() >= 48,
         "{} bends show: {counts:?}",
         counts.len()
     );

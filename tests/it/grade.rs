@@ -5,7 +5,7 @@ use raytree::grade::output::{Audience, OutputKind};
 use raytree::grade::report::{Marked, Report};
 use raytree::grade::selftest::{Naming, SelfTest, handed_in, naming};
 use raytree::grade::submission::Submission;
-use raytree::grade::task::Task;
+use raytree::grade::task::{Check, CheckKind, Task};
 use raytree::scene::{Bend, Bends};
 use raytree::tracer::thread_pool;
 
@@ -20,7 +20,10 @@ fn bends_are_named_in_the_tasks_and_never_wrongly() {
     let (mut all, mut named) = (0, 0);
     let mut wrong = Vec::new();
     for name in ["hits", "light", "glass"] {
-        let task = task(name);
+        let mut task = task(name);
+        // Seventy whole pictures take too long here; `raytree grade --selftest` draws them.
+        let is_picture = |check: &Check| matches!(check.kind, CheckKind::Picture { .. });
+        task.checks.retain(|check| !is_picture(check));
         let test =
             thread_pool::install(0, || SelfTest::new(std::slice::from_ref(&task))).expect(name);
         assert!(test.failures.is_empty(), "{name}: {:?}", test.failures);
