@@ -207,9 +207,11 @@ fn told(
         }
         FactName::Outcome if ours.kind == RayKind::Light => {
             let parent_is_there = ours.path.steps.split_last().is_some_and(|(_, steps)| {
-                theirs
-                    .keys()
-                    .any(|path| path.sample == ours.path.sample && path.steps == steps)
+                theirs.values().any(|parent| {
+                    let path = &parent.path;
+                    let is_it = path.sample == ours.path.sample && path.steps == steps;
+                    is_it && parent.word(name) != Some("miss")
+                })
             });
             // One who tells of other shadow rays, and not of this one, has sent none.
             let is_blocked = ours.word(name) == Some("blocked");

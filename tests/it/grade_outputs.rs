@@ -114,7 +114,7 @@ fn an_output_takes_the_place_of_nothing_that_is_read() {
         ("csv=none/a.csv", "folder does not exist"),
         ("pdf=a.pdf", "is no output"),
         (
-            "json=a.json --output csv=a.json",
+            "json=a.json --output csv=b.json",
             "give a name that ends in .csv",
         ),
         ("json=a --output csv=a", "already"),
