@@ -201,7 +201,9 @@ fn told(
     }
     match name {
         // A term of nothing need not be told, nor a light that adds nothing.
-        FactName::Term(..) if ray.is_some() => {
+        FactName::Term(..)
+            if ray.is_some_and(|ray| ray.word(&FactName::Outcome) != Some("miss")) =>
+        {
             let is_black = ours.get(name) == Some(&Fact::BLACK);
             is_black.then_some(Fact::BLACK)
         }

@@ -11,8 +11,8 @@ use std::collections::HashMap;
 use super::believed::{Believed, BelievedVertex, believed_hit, believed_ray};
 use crate::math::{DVec3, Rgb};
 use crate::probe::{Absence, RayKind, Silent, Term, TermKind};
-use crate::scene::{Bends, Settings};
-use crate::shading::{FresnelSplit, Secondary, ShadingPoint};
+use crate::scene::{AIR_IOR, Bends, Settings};
+use crate::shading::{FresnelSplit, Secondary, ShadingPoint, Side};
 use crate::trace::facts::{Fact, FactName, PixelFacts, RayFacts, Step, TreePath, sorted};
 use crate::tracer::laws::{Bent, Laws};
 use crate::tracer::light_sampler::{PointSampler, ShadowRay};
@@ -150,7 +150,7 @@ impl<'a> Walk<'a> {
     fn secondary(&self, kind: RayKind, parent: usize) -> Option<(DVec3, Secondary)> {
         let vertex = self.vertices[parent].as_ref()?;
         let point = self.point(vertex);
-        let split = self.split(parent, &point);
+        let split = self.split(parent, vertex, &point);
         let ray = self.wanted(kind, &point, split.as_ref()).ok()?;
         let start = self.laws.start(&vertex.at, ray.direction);
         Some((start.origin, ray))
@@ -175,18 +175,38 @@ impl<'a> Walk<'a> {
     }
 
     /// The split of light at a transparent surface, with the indices that the student has.
-    fn split(&self, ray: usize, point: &ShadingPoint) -> Option<FresnelSplit> {
-        let ours = &self.of.facts.rays[ray];
-        let (n1, n2) = (ours.number(&FactName::N1)?, ours.number(&FactName::N2)?);
-        let theirs = self.theirs.get(&ours.path);
+    fn split(
+        &self,
+        ray: usize,
+        vertex: &BelievedVertex,
+        point: &ShadingPoint,
+    ) -> Option<FresnelSplit> {
+        let base = self.media(ray, vertex)?;
+        let theirs = self.theirs.get(&self.of.facts.rays[ray].path);
         let given = |name| theirs.and_then(|ray| ray.number(name));
         let model = self.settings.fresnel;
         let (Some(g1), Some(g2)) = (given(&FactName::N1), given(&FactName::N2)) else {
-            return Some(self.laws.split(point, model, [n1, n2]));
+            return Some(self.laws.split(point, model, base));
         };
         // The indices are told: only what is made of them is asked.
         let others = Bent(self.laws.0.without(crate::scene::Law::Media));
         Some(others.split(point, model, [g1, g2]))
+    }
+
+    /// The indices of refraction on both sides of where a ray ends: ours if it is on the same object, else those of its object
+    /// and of air.
+    fn media(&self, ray: usize, vertex: &BelievedVertex) -> Option<[f64; 2]> {
+        let (ours, scene) = (&self.of.facts.rays[ray], &self.world.scene);
+        let object = &scene.object_of(vertex.primitive).name;
+        if ours.word(&FactName::Object) == Some(object) {
+            return Some([ours.number(&FactName::N1)?, ours.number(&FactName::N2)?]);
+        }
+        let inside = scene.medium_ior(scene.owners[vertex.primitive as usize]);
+        let is_transparent = scene.material_of(vertex.primitive).is_transmissive();
+        is_transparent.then_some(match vertex.at.side {
+            Side::Front => [AIR_IOR, inside],
+            Side::Back => [inside, AIR_IOR],
+        })
     }
 
     /// What a hit point gives: its terms, the media, and whether R and T are sent.
@@ -210,9 +230,9 @@ impl<'a> Walk<'a> {
         }
         let index = self.vertices.len();
         let ours = believed.ours;
-        let split = self.split(index, &point);
+        let split = self.split(index, vertex, &point);
         if let Some(split) = &split {
-            let base = [&FactName::N1, &FactName::N2].map(|name| ours.number(name).unwrap_or(1.0));
+            let base = self.media(index, vertex).unwrap_or([AIR_IOR; 2]);
             let media = self.laws.split(&point, self.settings.fresnel, base);
             facts.push((FactName::N1, Fact::Number(media.n1)));
             facts.push((FactName::N2, Fact::Number(media.n2)));
