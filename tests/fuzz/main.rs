@@ -11,6 +11,7 @@ mod bytes;
 mod dice;
 mod documents;
 mod handed_in;
+mod hostile_trees;
 mod large;
 mod laws;
 mod memory;

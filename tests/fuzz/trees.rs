@@ -4,7 +4,7 @@
 use raytree::scene;
 use raytree::scene::printable::is_printable;
 use raytree::trace::facts::{Fact, PixelFacts, Step};
-use raytree::trace::read::limits::MAX_PROBLEMS;
+use raytree::trace::read::limits::{MAX_ERRORS, MAX_PROBLEMS};
 use raytree::trace::read::{ReadError, read_trees};
 use raytree::trace::{View, document, trace_pixel};
 use raytree::world::World;
@@ -14,6 +14,9 @@ use super::dice::Dice;
 use super::laws::{FACTOR, catch_panics, without_panic};
 use super::memory::counted;
 use super::words::WRONG;
+
+/// Bytes of an error at most.
+const ERROR: usize = 1 << 10;
 
 /// Lines that a student's tracer might print.
 const LINES: &str = "\
@@ -138,7 +141,10 @@ fn check_error(error: &ReadError, file: &[u8]) -> Result<(), String> {
 fn check(file: &[u8]) -> Result<bool, String> {
     let read = || Ok(counted(|| read_trees(file, "a.json")));
     let (answers, memory) = without_panic(read).map_err(|broken| broken.how)?;
-    if memory.peak > (64 << 10) + FACTOR * file.len() {
+    // A few bytes may be an error, whose text is bounded; so is the number of errors.
+    let errors = answers.iter().filter(|answer| answer.is_err()).count();
+    let most = (64 << 10) + FACTOR * file.len() + ERROR * errors;
+    if errors > MAX_ERRORS + 1 || memory.peak > most {
         return Err(format!(
             "{} bytes of memory for {}",
             memory.peak,
