@@ -6,13 +6,15 @@
 mod check;
 mod cut;
 mod library;
+mod mended;
 mod mtl;
 mod parts;
 
 use std::collections::HashMap;
 use std::path::Path;
 
-use check::{FaceRun, Mended};
+use check::FaceRun;
+use mended::read_mended;
 
 use super::error::{Problem, SceneError};
 use super::files::Files;
@@ -58,12 +60,11 @@ pub fn parse(
     own_materials: bool,
 ) -> Result<Obj, SceneError> {
     let file = &files.label(name);
-    let mut mended = Mended::new(&text.text);
     let no_library = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
-    let loaded = tobj::load_obj_buf(&mut mended, &tobj::LoadOptions::default(), no_library);
-    let mut checked = mended
-        .checked()
-        .map_err(|(line, problem)| problem.in_line(file, line))?;
+    let (checked, loaded) = read_mended(&text.text, |mended| {
+        tobj::load_obj_buf(mended, &tobj::LoadOptions::default(), no_library)
+    });
+    let mut checked = checked.map_err(|(line, problem)| problem.in_line(file, line))?;
     checked.notes.encoding(&text);
     drop(text);
     if checked.faces.is_empty() {

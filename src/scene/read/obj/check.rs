@@ -1,11 +1,9 @@
 //! The check in front of `tobj`: what it would refuse, mistake or take for good is mended, noted, or refused with its line.
 //!
 //! The mended text has points, texture coordinates, normals and faces, no names. It ends with texture coordinates and a
-//! normal that stand for none, because `tobj` gives a corner without them those of its neighbour. It is made as `tobj` reads
-//! it, a piece at a time.
+//! normal that stand for none, because `tobj` gives a corner without them those of its neighbour.
 
 use std::fmt::Write;
-use std::io::{self, BufRead, Read};
 
 use crate::math::DVec3;
 use crate::scene::limits::{MAX_COORDINATE, MAX_PRIMITIVES};
@@ -16,9 +14,6 @@ use crate::scene::warning::WarningCode;
 
 /// Faces of one model of `tobj`, which needs a hundred bytes for each until the model ends.
 const FACES: usize = 1 << 15;
-
-/// Bytes of mended text after which a piece ends.
-const PIECE: usize = 1 << 15;
 
 /// Faces with one name and one material.
 #[derive(Clone, Debug, Default)]
@@ -35,8 +30,8 @@ pub struct FaceRun {
 /// What the check has found.
 #[derive(Debug, Default)]
 pub struct Checked {
-    /// The piece of mended text at hand.
-    text: String,
+    /// The mended text of the lines since it was taken.
+    pub text: String,
     /// The line of each face.
     pub faces: Vec<u32>,
     /// The runs of its faces.
@@ -63,95 +58,43 @@ fn kind(key: &str) -> Option<usize> {
     ["v", "vt", "vn"].iter().position(|known| *known == key)
 }
 
-/// The mended text of a file.
-pub struct Mended<'a> {
-    checked: Checked,
-    lines: Lines<'a>,
-    /// How much of the piece at hand is read, and if it is the last.
-    at: usize,
-    is_last: bool,
-    /// Why the file is refused, and where.
-    refused: Option<(usize, Problem)>,
-}
-
-impl<'a> Mended<'a> {
-    /// That of the text of an OBJ file.
-    pub fn new(text: &'a str) -> Self {
-        let mut checked = Checked {
-            is_new: true,
-            ..Checked::default()
-        };
+impl Checked {
+    /// The check before the first line of a text.
+    pub fn new(text: &str) -> Self {
+        let mut totals = [0; 3];
         for (_, line) in Lines::new(text) {
             let is_vertex = line.trim_ascii_start().starts_with('v');
             let key = is_vertex.then(|| words(&line).next()).flatten();
             if let Some(kind) = key.and_then(kind) {
-                checked.totals[kind] += 1;
+                totals[kind] += 1;
             }
         }
         Self {
-            checked,
-            lines: Lines::new(text),
-            at: 0,
-            is_last: false,
-            refused: None,
+            totals,
+            is_new: true,
+            ..Self::default()
         }
     }
 
-    /// What was found in the text that was read; an error has its line.
-    pub fn checked(self) -> Result<Checked, (usize, Problem)> {
-        self.refused.map_or(Ok(self.checked), Err)
+    /// The mended text so far, which is not kept.
+    pub fn take_text(&mut self) -> String {
+        std::mem::take(&mut self.text)
     }
 
-    /// Makes the next piece.
-    fn refill(&mut self) -> Result<(), (usize, Problem)> {
-        let checked = &mut self.checked;
-        self.at = 0;
-        checked.text.clear();
-        while checked.text.len() < PIECE && !self.is_last {
-            if let Some((number, line)) = self.lines.next() {
-                checked.line = number;
-                checked.read(&line).map_err(|problem| (number, problem))?;
-                continue;
-            }
-            self.is_last = true;
-            for (kind, none) in [(1, "vt nan nan\n"), (2, "vn 0 0 0\n")] {
-                checked.text += if checked.totals[kind] > 0 { none } else { "" };
-            }
+    /// Ends the mended text.
+    pub fn end(&mut self) {
+        for (kind, none) in [(1, "vt nan nan\n"), (2, "vn 0 0 0\n")] {
+            self.text += if self.totals[kind] > 0 { none } else { "" };
         }
-        Ok(())
-    }
-}
-
-impl BufRead for Mended<'_> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.at >= self.checked.text.len()
-            && let Err(refused) = self.refill()
-        {
-            self.refused = Some(refused);
-            return Err(io::ErrorKind::InvalidData.into());
-        }
-        Ok(&self.checked.text.as_bytes()[self.at..])
     }
 
-    fn consume(&mut self, bytes: usize) {
-        self.at += bytes;
-    }
-}
-
-impl Read for Mended<'_> {
-    fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
-        let bytes = self.fill_buf()?.read(place)?;
-        self.consume(bytes);
-        Ok(bytes)
-    }
-}
-
-impl Checked {
     fn note(&mut self, code: WarningCode, about: &str) {
         self.notes.add(code, about, self.line);
     }
 
-    fn read(&mut self, line: &str) -> Result<(), Problem> {
+    /// Checks a line, and mends it.
+    pub fn read(&mut self, number: usize, line: &str) -> Result<(), Problem> {
+        self.line = number;
         let mut words = words(line);
         let Some(key) = words.next() else {
             return Ok(());
