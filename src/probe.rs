@@ -15,6 +15,8 @@ pub mod counting {
     pub const REFRACTION: bool = cfg!(not(feature = "count-without-refraction"));
     /// Lights with an area.
     pub const AREAS: bool = cfg!(not(feature = "count-without-areas"));
+    /// Bent laws.
+    pub const BENDS: bool = cfg!(not(feature = "count-without-bends"));
 }
 
 /// Tells a probe of an event: `tell!(probe, Event::Miss)`. Nothing at all, the event included, in builds that count

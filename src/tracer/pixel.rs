@@ -11,7 +11,7 @@ pub mod weights;
 
 use super::laws::Bent;
 use super::state::Tracer;
-use crate::probe::Probe;
+use crate::probe::{Probe, counting};
 use crate::scene::Settings;
 use crate::world::World;
 
@@ -23,7 +23,7 @@ pub use weights::Weights;
 /// Traces pixel (x, y) and tells `probe` of everything that happens. With any probe, on any thread, its colour is the
 /// same bit for bit.
 pub fn pixel<P: Probe>(world: &World, settings: &Settings, at: (u32, u32), probe: &mut P) -> Pixel {
-    if settings.bends.is_empty() {
+    if !counting::BENDS || settings.bends.is_empty() {
         return PixelEstimator::trace(&mut Tracer::new(world, settings, probe), at);
     }
     let laws = Bent(settings.bends);

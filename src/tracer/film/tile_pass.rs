@@ -1,7 +1,7 @@
 //! The rendering of one tile, by one of three strategies.
 
 use super::buffer::Film;
-use crate::probe::{Probe, Silent};
+use crate::probe::{Probe, Silent, counting};
 use crate::scene::Settings;
 use crate::tracer::pixel::{PixelEstimator, pixel};
 use crate::tracer::state::Tracer;
@@ -38,7 +38,7 @@ impl<P: Probe + Default> RenderedTile<P> {
     pub fn render(tile: Tile, world: &World, settings: &Settings) -> Self {
         let mut probe = P::default();
         let mut film = Film::black(tile.size(), settings);
-        if !settings.bends.is_empty() {
+        if counting::BENDS && !settings.bends.is_empty() {
             bent(tile, (world, settings), &mut film, &mut probe);
             return Self { tile, film, probe };
         }
