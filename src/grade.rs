@@ -1,6 +1,7 @@
 //! Grading: what students hand in, read with care, compared with this tracer and marked.
 
 pub mod archive;
+pub mod attempts;
 mod believed;
 pub mod compare;
 pub mod diff;

@@ -10,9 +10,11 @@ use super::settings::{SceneArgs, SettingsArgs};
 use super::trees::{TreeSource, facts_of, parse_side, read_file};
 use super::{Completion, Failure};
 use crate::accel::clearest;
-use crate::grade::compare::Compared;
+use crate::grade::compare::{Compared, TreeComparison};
 use crate::grade::diff::{Sides, TreeDiff};
 use crate::grade::follow::PixelReference;
+use crate::grade::marks::CausingTree;
+use crate::grade::output::difference;
 use crate::grade::quantity::QuantityKind;
 use crate::grade::tolerance::{Allowance, Tolerances};
 use crate::scene::{Bends, Settings};
@@ -55,6 +57,8 @@ enum DiffFormat {
     Text,
     /// For programs: format raytree-diff/1
     Json,
+    /// A page for a browser, with both trees side by side
+    Html,
 }
 
 impl Diff {
@@ -154,6 +158,11 @@ impl Diff {
         let text = match self.format {
             DiffFormat::Text => diff.to_text(sides, self.max),
             DiffFormat::Json => format!("{:#}\n", diff.to_json(sides)),
+            DiffFormat::Html => {
+                let comparison = TreeComparison::new(of, theirs, &tolerances);
+                let kept = CausingTree::new(of.pixel, comparison, &|c| asks(c.quantity));
+                difference((sides, &diff), of.facts, &kept, self.max)
+            }
         };
         to_stdout(text.as_bytes())?;
         Ok(if diff.is_empty() {

@@ -6,6 +6,7 @@ mod merge;
 mod outputs;
 mod selftest;
 mod shard;
+mod small_file;
 mod students;
 
 use std::path::{Path, PathBuf};
@@ -15,10 +16,12 @@ use clap::Args;
 use self::export::ExportKind;
 use self::outputs::{Outputs, parse_output};
 use self::shard::Shard;
+use self::small_file::{broken, text_of};
 use self::students::{Entry, entries};
 use super::output::to_stdout;
 use super::run_programs::RunArgs;
 use super::{Completion, Failure};
+use crate::grade::attempts::EarlierScores;
 use crate::grade::output::{Audience, OutputKind, is_datetime};
 use crate::grade::report::Report;
 use crate::grade::submission::Submission;
@@ -44,6 +47,9 @@ pub struct Grade {
     /// The students of the course, a line `name,id` each: those who handed in nothing are listed, too
     #[arg(long, value_name = "FILE")]
     students: Option<PathBuf>,
+    /// The earlier attempts of the one student who is marked: Gradescope's submission_metadata.json
+    #[arg(long, value_name = "FILE")]
+    metadata: Option<PathBuf>,
     /// Leave out what is hidden from students
     #[arg(long)]
     student: bool,
@@ -150,6 +156,7 @@ impl Grade {
         for (marked, entry) in report.submissions.iter_mut().zip(entries) {
             marked.id.clone_from(&entry.id);
         }
+        self.count_attempts(task, &mut report)?;
         let audience = Audience {
             task,
             for_students: self.student,
@@ -166,11 +173,31 @@ impl Grade {
         })
     }
 
+    /// Sets the score that counts by the earlier attempts, if they are told and the task has a rule.
+    fn count_attempts(&self, task: &Task, report: &mut Report) -> Result<(), Failure> {
+        let Some(path) = &self.metadata else {
+            return Ok(());
+        };
+        let [marked] = &mut report.submissions[..] else {
+            let what = "--metadata tells of one student, and several submissions are marked";
+            return Err(Failure::Usage(what.to_owned()));
+        };
+        let text = text_of(path, "submission_metadata.json")?;
+        let earlier = EarlierScores::from_metadata(&text).map_err(|what| broken(path, &what))?;
+        let rule = task.attempts;
+        marked.counted = rule.and_then(|rule| rule.counted(marked.score(), &earlier));
+        Ok(())
+    }
+
     /// The files that are read: no output may take their place.
     fn read(&self, path: &str, task: &Task) -> Vec<FileId> {
         let scenes = task.scenes.iter();
         let scenes = scenes.flat_map(|scene| scene.world.scene.files.iter().cloned());
-        let named = [Some(Path::new(path)), self.students.as_deref()];
+        let named = [
+            Some(Path::new(path)),
+            self.students.as_deref(),
+            self.metadata.as_deref(),
+        ];
         let named = named.into_iter().flatten();
         let named = named.chain(self.submissions.iter().map(PathBuf::as_path));
         let named = named.filter_map(|path| FileId::at(path).ok());

@@ -31,6 +31,9 @@ pub struct Trace {
     /// Add every node visited and every shape tested
     #[arg(long)]
     traversal: bool,
+    /// Do not say which laws --bend exchanges, for exam sheets
+    #[arg(long)]
+    anonymous: bool,
     #[command(flatten)]
     scene: SceneArgs,
 }
@@ -82,10 +85,13 @@ impl Trace {
             settings: &settings,
             trace: &trace,
         });
-        let document = match path {
+        let mut document = match path {
             Some(path) => subtree(document, &path).map_err(Failure::Usage)?,
             None => document,
         };
+        if self.anonymous {
+            document.settings.bent = None;
+        }
         let produce = |out: &mut dyn Write| self.write(out, &document);
         match file {
             Some(file) => file.write(produce)?,

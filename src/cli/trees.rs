@@ -1,14 +1,15 @@
 //! Ray trees that commands take: those of a pixel of a scene, and those in files.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read as _};
+use std::path::Path;
 
 use super::Failure;
 use crate::scene::Settings;
-use crate::trace::facts::{PixelFacts, pixel_facts};
+use crate::trace::facts::{PixelFacts, TreePath, pixel_facts};
 use crate::trace::read::limits::MAX_TREE_FILE_BYTES;
 use crate::trace::read::read_trees;
-use crate::trace::{View, document, trace_pixel};
+use crate::trace::{Address, View, document, trace_pixel};
 use crate::world::World;
 
 /// One side of a comparison.
@@ -26,20 +27,19 @@ pub enum TreeSource {
 
 /// A side from its text: `SCENE@X,Y`, or a file.
 pub fn parse_side(text: &str) -> Result<TreeSource, Failure> {
-    let Some((scene, pixel)) = text.rsplit_once('@') else {
+    if !text.contains('@') || Path::new(text).is_file() {
         return Ok(TreeSource::File(text.to_owned()));
-    };
-    let numbers = pixel
-        .split_once(',')
-        .and_then(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)));
-    let pixel = numbers.ok_or_else(|| {
-        Failure::Usage(format!(
-            "`{text}` names no pixel; write SCENE@X,Y, such as whitted@160,120"
-        ))
-    })?;
+    }
+    let address: Address = text.parse().map_err(Failure::Usage)?;
+    if address.path != TreePath::default() || address.part.is_some() {
+        let pixel = format!("{},{}", address.pixel.0, address.pixel.1);
+        return Err(Failure::Usage(format!(
+            "`{text}` names a part of a tree, and whole trees are compared; end it after {pixel}"
+        )));
+    }
     Ok(TreeSource::Scene {
-        scene: scene.to_owned(),
-        pixel,
+        scene: address.scene.unwrap_or_default(),
+        pixel: address.pixel,
     })
 }
 
@@ -93,12 +93,16 @@ pub fn read_file(path: &str, pixel: Option<(u32, u32)>) -> Result<PixelFacts, Fa
     })
 }
 
-/// The bytes of a file, or of standard input; one more than is allowed where there are more.
+/// The bytes of a regular file, or of standard input; one more than is allowed where there are more. A pipe or a device could be
+/// read for ever.
 fn bytes_of(path: &str) -> io::Result<Vec<u8>> {
     let most = MAX_TREE_FILE_BYTES as u64 + 1;
     let mut bytes = Vec::new();
     if path == "-" {
         io::stdin().lock().take(most).read_to_end(&mut bytes)?;
+    } else if !fs::metadata(path)?.is_file() {
+        let what = "it is no regular file; give its bytes to standard input, and - as its name";
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, what));
     } else {
         File::open(path)?.take(most).read_to_end(&mut bytes)?;
     }

@@ -1,7 +1,8 @@
-//! A grader for Gradescope out of a task: the archive that its harness unpacks into `/autograder/source`.
+//! A grader for a platform out of a task: an archive with scripts, this program, the task and its scenes.
 //!
-//! The harness runs `setup.sh` once, and `run_autograder` for each submission: that lies in `/autograder/submission`, and the
-//! result is to be in `/autograder/results/results.json`.
+//! Gradescope unpacks it into `/autograder/source`, runs `setup.sh` once, and `run_autograder` for each submission: that lies in
+//! `/autograder/submission`, and the result is to be in `/autograder/results/results.json`. Classroom 50 has its files in a folder
+//! of the assignment, and runs `autograder.py` in the student's repository, where `result.json` is to be.
 
 use std::io::{Cursor, Write as _};
 use std::path::{Path, PathBuf};
@@ -39,19 +40,42 @@ pub enum ArchiveError {
     Io(#[from] io::Error),
 }
 
-/// The archive, with this program in it: `task`, which was loaded from `path`, and all files of its scenes. The same bytes for the
-/// same files.
+/// Gradescope's archive, with this program in it: `task`, which was loaded from `path`, and all files of its scenes. The same bytes
+/// for the same files.
 pub fn gradescope(path: &Path, task: &Task, program: &Path) -> Result<Vec<u8>, ArchiveError> {
+    let run = RUN.replace("TASK", &shell_word(&inside(path)));
+    let scripts = [("setup.sh", SETUP), ("run_autograder", &run)];
+    archive(&scripts, (path, task), program)
+}
+
+/// What goes into the folder `autograders/ASSIGNMENT` of a classroom of Classroom 50.
+pub fn classroom50(path: &Path, task: &Task, program: &Path) -> Result<Vec<u8>, ArchiveError> {
+    // A string of JSON is one of Python.
+    let run = AUTOGRADER.replace("TASK", &serde_json::Value::from(inside(path)).to_string());
+    archive(&[("autograder.py", &run)], (path, task), program)
+}
+
+/// Where the task lies in an archive.
+fn inside(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    format!("{FOLDER}/{name}")
+}
+
+/// Scripts, the program, the task and the files of its scenes.
+fn archive(
+    scripts: &[(&str, &str)],
+    (path, task): (&Path, &Task),
+    program: &Path,
+) -> Result<Vec<u8>, ArchiveError> {
     let read = |path: &Path| {
         fs::read(path).map_err(|error| ArchiveError::Unreadable(path.to_owned(), error))
     };
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut zip = Archive(ZipWriter::new(Cursor::new(Vec::new())));
-    zip.add("setup.sh", 0o755, SETUP.as_bytes())?;
-    let run = RUN.replace("TASK", &shell_word(&format!("{FOLDER}/{name}")));
-    zip.add("run_autograder", 0o755, run.as_bytes())?;
+    for (name, text) in scripts {
+        zip.add(name, 0o755, text.as_bytes())?;
+    }
     zip.add("raytree", 0o755, &read(program)?)?;
-    zip.add(&format!("{FOLDER}/{name}"), 0o644, &read(path)?)?;
+    zip.add(&inside(path), 0o644, &read(path)?)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     for file in scene_files(folder, task)? {
         let inside = file.strip_prefix(folder).unwrap_or(&file);
@@ -123,23 +147,11 @@ fn walk(folder: &Path, all: &mut Vec<(PathBuf, FileId)>) {
 }
 
 /// Made once, when the image is built.
-const SETUP: &str = "\
-#!/bin/sh
-# Looks whether the program runs on this image: nothing has to be installed.
-set -eu
-source=$(dirname \"$0\")
-chmod +x \"$source/raytree\" \"$source/run_autograder\"
-\"$source/raytree\" --version || {
-    echo 'raytree does not run on this image; export again with --program FILE, a program that was built for it' >&2
-    exit 1
-}
-";
+const SETUP: &str = include_str!("archive/setup.sh");
 
-/// Run for each submission. AUTOGRADER_ROOT is for trying it out elsewhere.
-const RUN: &str = "\
-#!/bin/sh
-set -eu
-root=${AUTOGRADER_ROOT:-/autograder}
-mkdir -p \"$root/results\"
-exec \"$root/source/raytree\" grade \"$root/source/\"TASK \"$root/submission\" --output gradescope=\"$root/results/results.json\"
-";
+/// Run for each submission, with the earlier attempts if the platform tells them. AUTOGRADER_ROOT is for trying it out elsewhere.
+const RUN: &str = include_str!("archive/run_autograder");
+
+/// Run by Classroom 50 in the student's repository, for each submission. It finds the program beside itself.
+/// Source: <https://github.com/foundation50/classroom50/wiki/Advanced-Autograding>.
+const AUTOGRADER: &str = include_str!("archive/autograder.py");

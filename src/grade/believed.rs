@@ -2,13 +2,75 @@
 
 use crate::geometry::{Hit, Intersection, Shear};
 use crate::math::{DVec3, Interval, Ray};
+use crate::probe::RayKind;
 use crate::shading::Interaction;
 use crate::trace::facts::{FactName, RayFacts};
 use crate::world::World;
 
-/// Origins nearer than this to what is computed count as equal: a ray from the exact origin would meet its own surface, or
-/// not, by chance.
+/// What becomes of points and origins that are nearly those that are computed. With each of both readings some quantities of a
+/// right tracer follow, and with the other they do not; so both are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NearPoints {
+    /// They count as computed: a ray from the told origin would meet its own surface, or not, by chance.
+    Computed,
+    /// They are taken as told: with the student's own way to leave a surface, which a grazing ray makes large.
+    Told,
+}
+
+/// Points nearer than this to what is computed are nearly that, in metres: twice the offset that many tracers have.
 const NEAR: f64 = 2e-4;
+
+impl NearPoints {
+    /// The point that counts, of one that is told and one that is computed.
+    fn point(self, told: DVec3, computed: DVec3) -> DVec3 {
+        if self == Self::Computed && told.distance(computed) <= NEAR {
+            computed
+        } else {
+            told
+        }
+    }
+
+    /// The origin that counts, of one that is told and that of the ray that is sent.
+    fn origin(self, told: DVec3, sent: &SentRay) -> DVec3 {
+        let Some((point, normal)) = sent.surface else {
+            return self.point(told, sent.origin);
+        };
+        if told.distance(sent.origin) > NEAR {
+            return told;
+        }
+        // Above the surface the student's own offset may be kept; in it or below a ray meets its own surface by chance. Where
+        // the laws start below the surface, an origin above it is another one.
+        let above = |origin: DVec3| (origin - point).dot(normal);
+        let is_kept = above(told) > 0.0 && (self == Self::Told || above(sent.origin) < 0.0);
+        if is_kept { told } else { sent.origin }
+    }
+}
+
+/// A ray that the laws send.
+#[derive(Clone, Copy, Debug)]
+pub struct SentRay {
+    /// Where it starts.
+    pub origin: DVec3,
+    /// Its direction; of length 1 unless a law is bent.
+    pub direction: DVec3,
+    /// The point of the surface that it leaves, and the normal there on the side to which it should go; none for eye rays.
+    pub surface: Option<(DVec3, DVec3)>,
+}
+
+impl SentRay {
+    /// A ray that leaves a surface: T behind it, all others on the side of the viewer, wherever a wrong direction leads.
+    pub fn from_surface(kind: RayKind, at: &Interaction, origin: DVec3, direction: DVec3) -> Self {
+        let normal = match kind {
+            RayKind::Transmitted => -at.geometric_normal,
+            _ => at.geometric_normal,
+        };
+        Self {
+            origin,
+            direction,
+            surface: Some((at.point, normal)),
+        }
+    }
+}
 
 /// A ray of our tree, and the student's ray of the same name.
 #[derive(Clone, Copy)]
@@ -17,6 +79,8 @@ pub struct Believed<'a> {
     pub ours: &'a RayFacts,
     /// The student's, if there is one.
     pub theirs: Option<&'a RayFacts>,
+    /// How points that are nearly as computed are read.
+    pub near: NearPoints,
 }
 
 /// Where a ray ends, by the student's own numbers.
@@ -41,8 +105,8 @@ impl Believed<'_> {
         self.theirs?.number(name)
     }
 
-    /// The hit point with the student's own point and normals where they are told.
-    pub fn interaction(&self, computed: Interaction) -> Interaction {
+    /// The hit point with the student's own point and normals where they are told; the ray's direction has this length.
+    pub fn interaction(&self, computed: Interaction, length: f64) -> Interaction {
         let normal = self.vector(&FactName::Normal);
         let geometric = self.vector(&FactName::GeometricNormal);
         let normal = normal.or(geometric).unwrap_or(computed.normal);
@@ -54,9 +118,8 @@ impl Believed<'_> {
         };
         let told = self.vector(&FactName::Point);
         Interaction {
-            point: told
-                .filter(|point| point.distance(computed.point) > NEAR)
-                .unwrap_or(computed.point),
+            point: told.map_or(computed.point, |told| self.near.point(told, computed.point)),
+            to_viewer: computed.to_viewer * length,
             normal,
             geometric_normal: geometric.unwrap_or(side * computed.geometric_normal),
             ..computed
@@ -66,16 +129,16 @@ impl Believed<'_> {
 
 /// The ray that the student sent, with unit direction, and the length that the direction has there; `sent` is what the laws
 /// give.
-pub fn believed_ray(believed: Believed, sent: Option<(DVec3, DVec3)>) -> Option<(Ray, f64)> {
+pub fn believed_ray(believed: Believed, sent: Option<SentRay>) -> Option<(Ray, f64)> {
     let told = |name| believed.vector(name);
     let ours = |name| believed.ours.vector(name).map(DVec3::from_array);
-    let computed_origin = sent.map(|(origin, _)| origin);
-    let origin = match (told(&FactName::Origin), computed_origin) {
-        (Some(told), Some(computed)) if told.distance(computed) <= NEAR => computed,
-        (Some(told), _) => told,
-        (None, computed) => computed.or_else(|| ours(&FactName::Origin))?,
+    let origin = match (told(&FactName::Origin), &sent) {
+        (Some(told), Some(sent)) => believed.near.origin(told, sent),
+        (Some(told), None) => told,
+        (None, Some(sent)) => sent.origin,
+        (None, None) => ours(&FactName::Origin)?,
     };
-    let direction = told(&FactName::Direction).or(sent.map(|(_, direction)| direction));
+    let direction = told(&FactName::Direction).or(sent.map(|sent| sent.direction));
     let direction = direction.or_else(|| ours(&FactName::Direction))?;
     let unit = direction.try_normalize()?;
     let is_unit = (direction.length() - 1.0).abs() < 1e-9;

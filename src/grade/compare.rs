@@ -6,7 +6,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::follow::{PixelReference, expected, yes_or_no};
+use super::follow::{Consequences, PixelReference, yes_or_no};
 use super::quantity::{QuantityKind, law_of};
 use super::tolerance::Tolerances;
 use crate::probe::RayKind;
@@ -32,8 +32,9 @@ pub struct Compared {
     pub ours: Fact,
     /// The student's value.
     pub theirs: Option<Fact>,
-    /// What our law makes of the student's own numbers, if that can be computed.
-    pub follows: Option<Fact>,
+    /// What our law makes of the student's own numbers, if that can be computed, by both readings of points that are nearly as
+    /// computed.
+    pub follows: [Option<Fact>; 2],
     /// What it comes to.
     pub status: Status,
 }
@@ -67,14 +68,14 @@ impl TreeComparison {
     pub fn new(of: PixelReference, given: &PixelFacts, tolerances: &Tolerances) -> Self {
         let theirs: HashMap<&TreePath, &RayFacts> =
             given.rays.iter().map(|r| (&r.path, r)).collect();
-        let follows = expected(of, given, Bends::default());
+        let follows = Consequences::new(of, given, Bends::default());
         let mut all = Vec::new();
         for (index, ours) in of.facts.rays.iter().enumerate() {
             let ray = theirs.get(&ours.path).copied();
             for (name, fact) in facts_with_rays(of.facts, index, ours) {
                 let quantity = QuantityKind::of(ours.kind, &name);
                 let told = told(given, &theirs, ours, ray, &name);
-                let computed = find(&follows[index], &name).cloned();
+                let computed = follows.find(index, &name).map(Option::<&Fact>::cloned);
                 let mut add = |quantity| {
                     all.push(Compared {
                         path: ours.path.clone(),
@@ -138,12 +139,6 @@ fn level(compared: &Compared) -> usize {
     depth - usize::from(of_parent && depth > 0)
 }
 
-/// A fact among those that follow.
-pub fn find<'a>(facts: &'a [(FactName, Fact)], name: &FactName) -> Option<&'a Fact> {
-    let index = facts.binary_search_by(|(n, _)| n.cmp(name)).ok()?;
-    Some(&facts[index].1)
-}
-
 /// The facts of a ray of ours, and whether its hit sends R and T.
 fn facts_with_rays(all: &PixelFacts, index: usize, ours: &RayFacts) -> Vec<(FactName, Fact)> {
     let mut facts: Vec<(FactName, Fact)> = ours
@@ -196,7 +191,11 @@ fn told(
         let lit = shadow_ray.is_some_and(|ray| ray.word(&FactName::Outcome) == Some("lit"));
         return ray.is_some().then(|| yes_or_no(lit));
     }
-    if let Some(fact) = ray.and_then(|ray| ray.get(name)) {
+    let fact = ray.and_then(|ray| {
+        ray.get(name)
+            .or_else(|| ray.get(&other_normal(ours, name)?))
+    });
+    if let Some(fact) = fact {
         return Some(fact.clone());
     }
     match name {
@@ -228,6 +227,16 @@ fn told(
     }
 }
 
+/// Where a surface has one normal, the shading normal is the geometric one: who tells one tells both.
+fn other_normal(ours: &RayFacts, name: &FactName) -> Option<FactName> {
+    let other = match name {
+        FactName::Normal => FactName::GeometricNormal,
+        FactName::GeometricNormal => FactName::Normal,
+        _ => return None,
+    };
+    (ours.get(name) == ours.get(&other)).then_some(other)
+}
+
 /// Decides what each comparison comes to.
 fn settle(all: &mut [Compared], tolerances: &Tolerances) {
     // Rays of which something is wrong, and those below them.
@@ -242,9 +251,10 @@ fn settle(all: &mut [Compared], tolerances: &Tolerances) {
         } else if agrees(Some(&compared.ours)) == Some(true) {
             Status::Right
         } else {
-            match agrees(compared.follows.as_ref()) {
-                Some(true) => Status::RightGiven,
-                None if is_below(&compared.path, &spoiled) => Status::Follows,
+            let follows = compared.follows.each_ref();
+            match follows.map(|fact| agrees(fact.as_ref())) {
+                [Some(true), _] | [_, Some(true)] => Status::RightGiven,
+                [None, _] | [_, None] if is_below(&compared.path, &spoiled) => Status::Follows,
                 _ => Status::Wrong,
             }
         };

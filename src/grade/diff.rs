@@ -4,8 +4,8 @@ mod write;
 
 use std::collections::BTreeMap;
 
-use super::compare::{Compared, Status, TreeComparison, find};
-use super::follow::{FollowedFacts, PixelReference, expected};
+use super::compare::{Compared, Status, TreeComparison};
+use super::follow::{Consequences, PixelReference};
 use super::quantity::{QuantityKind, field};
 use super::tolerance::Tolerances;
 use crate::scene::{Bend, Bends, Law};
@@ -102,19 +102,18 @@ fn causes(
     if first.is_empty() {
         return Vec::new();
     }
-    let bent: Vec<(Bend, FollowedFacts)> = Bend::all()
-        .map(|bend| (bend, expected(of, given, Bends::from(bend))))
+    let bent: Vec<(Bend, Consequences)> = Bend::all()
+        .map(|bend| (bend, Consequences::new(of, given, Bends::from(bend))))
         .collect();
     // By law and mistakes; the first of each group is the nearest to the eye.
     let mut groups: BTreeMap<(Vec<Bend>, Option<Law>), usize> = BTreeMap::new();
     let mut causes: Vec<Cause> = Vec::new();
     for compared in first {
-        let explains = |(bend, facts): &(Bend, FollowedFacts)| {
+        let explains = |(bend, facts): &(Bend, Consequences)| {
             let told = compared.theirs.as_ref()?;
-            let made = find(&facts[compared.ray], &compared.name)?;
-            tolerances
-                .agree(compared.quantity, made, told)
-                .then_some(*bend)
+            let made = facts.find(compared.ray, &compared.name);
+            let agrees = |made: &Fact| tolerances.agree(compared.quantity, made, told);
+            made.into_iter().flatten().any(agrees).then_some(*bend)
         };
         let as_if: Vec<Bend> = bent.iter().filter_map(explains).collect();
         let alone = as_if.is_empty().then_some(compared.law);

@@ -65,14 +65,22 @@ impl Tally {
     }
 }
 
-/// The mistakes that explain a submission; `None` if nothing does.
+/// The mistakes that explain a submission; `None` if nothing does. Trees say most and are asked first; pictures and colours of
+/// pixels are asked where the trees have no errors, since each candidate takes a picture or a tree of its own.
 pub fn find(task: &Task, evidence: &[Evidence]) -> Option<Diagnosis> {
-    let errors: u64 = evidence.iter().map(Evidence::errors).sum();
+    let (trees, others): (Vec<_>, Vec<_>) = evidence.iter().partition(|e| e.is_tree());
+    let errors: u64 = trees.iter().map(|tree| tree.errors()).sum();
+    explain(task, if errors > 0 { &trees } else { &others })
+}
+
+/// The mistakes that explain all of this evidence.
+fn explain(task: &Task, evidence: &[&Evidence]) -> Option<Diagnosis> {
+    let errors: u64 = evidence.iter().map(|evidence| evidence.errors()).sum();
     if errors == 0 {
         return None;
     }
     // What has most errors first: there most candidates are lost.
-    let mut order: Vec<&Evidence> = evidence.iter().collect();
+    let mut order = evidence.to_vec();
     order.sort_by_key(|evidence| std::cmp::Reverse(evidence.errors()));
     let singles: Vec<Bends> = Bend::all().map(Bends::from).collect();
     let tallies = tally(task, &order, &singles, errors);

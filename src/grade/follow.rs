@@ -1,26 +1,24 @@
 //! What follows from a student's own numbers: each law applied to the inputs that the student's tree gives.
 //!
 //! A tracer that bends one law gets most of what comes after it wrong as well. Here each quantity is computed from those before
-//! it *as the student has them* ([`expected`]): the hit from the student's own ray, R from the student's own normal. What agrees
+//! it *as the student has them* ([`Consequences`]): the hit from the student's own ray, R from the student's own normal. What agrees
 //! with that is right in itself. By bent laws the same function says what a mistake would give, which names it.
 //!
 //! What the student does not tell is taken from what comes before it by the laws.
 
+mod lights;
+
 use std::collections::HashMap;
 
-use super::believed::{Believed, BelievedVertex, believed_hit, believed_ray};
+use super::believed::{Believed, BelievedVertex, NearPoints, SentRay, believed_hit, believed_ray};
 use crate::math::{DVec3, Rgb};
 use crate::probe::{Absence, RayKind, Silent, Term, TermKind};
 use crate::scene::{AIR_IOR, Bends, Settings};
 use crate::shading::{FresnelSplit, Secondary, ShadingPoint, Side};
 use crate::trace::facts::{Fact, FactName, PixelFacts, RayFacts, Step, TreePath, sorted};
 use crate::tracer::laws::{Bent, Laws};
-use crate::tracer::light_sampler::{PointSampler, ShadowRay};
 use crate::tracer::pixel::camera_sample;
 use crate::world::World;
-
-/// Directions nearer than this count as equal.
-const SAME_DIRECTION: f64 = 1e-4;
 
 /// What a pixel is compared with: the scene, the settings, and our tree.
 #[derive(Clone, Copy)]
@@ -34,11 +32,35 @@ pub struct PixelReference<'a> {
 }
 
 /// For each ray of ours, in its order, the facts that follow, sorted by name.
-pub type FollowedFacts = Vec<Vec<(FactName, Fact)>>;
+type FollowedFacts = Vec<Vec<(FactName, Fact)>>;
 
-/// The facts that follow for each ray of our tree, in its order, from the numbers of `given` by these laws. What cannot be
-/// computed is left out.
-pub fn expected(of: PixelReference, given: &PixelFacts, bends: Bends) -> FollowedFacts {
+/// What follows, by either reading of points that are nearly as computed.
+pub struct Consequences([FollowedFacts; 2]);
+
+impl Consequences {
+    /// The facts that follow for each ray of our tree, in its order, from the numbers of `given` by these laws. What cannot be
+    /// computed is left out.
+    pub fn new(of: PixelReference, given: &PixelFacts, bends: Bends) -> Self {
+        let readings = [NearPoints::Computed, NearPoints::Told];
+        Self(readings.map(|near| expected(of, given, bends, near)))
+    }
+
+    /// A fact of a ray, by both readings.
+    pub fn find(&self, ray: usize, name: &FactName) -> [Option<&Fact>; 2] {
+        self.0.each_ref().map(|facts| {
+            let facts = &facts[ray];
+            let index = facts.binary_search_by(|(n, _)| n.cmp(name)).ok()?;
+            Some(&facts[index].1)
+        })
+    }
+}
+
+fn expected(
+    of: PixelReference,
+    given: &PixelFacts,
+    bends: Bends,
+    near: NearPoints,
+) -> FollowedFacts {
     let Some((world, settings)) = of.scene else {
         return vec![Vec::new(); of.facts.rays.len()];
     };
@@ -49,6 +71,7 @@ pub fn expected(of: PixelReference, given: &PixelFacts, bends: Bends) -> Followe
         settings,
         theirs,
         laws: Bent(bends),
+        near,
         vertices: Vec::with_capacity(of.facts.rays.len()),
         facts: Vec::with_capacity(of.facts.rays.len()),
     };
@@ -67,6 +90,7 @@ struct Walk<'a> {
     /// The student's rays by name.
     theirs: HashMap<&'a TreePath, &'a RayFacts>,
     laws: Bent,
+    near: NearPoints,
     /// For each ray so far, where it ends, by the student's own numbers.
     vertices: Vec<Option<BelievedVertex>>,
     facts: Vec<Vec<(FactName, Fact)>>,
@@ -75,7 +99,8 @@ struct Walk<'a> {
 impl<'a> Walk<'a> {
     fn visit(&mut self, ours: &'a RayFacts) {
         let theirs = self.theirs.get(&ours.path).copied();
-        let believed = Believed { ours, theirs };
+        let near = self.near;
+        let believed = Believed { ours, theirs, near };
         let mut facts = Vec::new();
         let vertex = match ours.kind {
             RayKind::Light => {
@@ -104,17 +129,21 @@ impl<'a> Walk<'a> {
                 let ray = self
                     .laws
                     .eye_ray(&world.scene.camera, film, settings.size());
-                Some((ray.origin, ray.direction))
+                Some(SentRay {
+                    origin: ray.origin,
+                    direction: ray.direction,
+                    surface: None,
+                })
             }
-            (kind, Some(parent)) => self.secondary(kind, parent).map(|(origin, secondary)| {
-                facts.push((FactName::Weight, Fact::Color(secondary.weight)));
-                (origin, secondary.direction)
+            (kind, Some(parent)) => self.secondary(kind, parent).map(|(sent, weight)| {
+                facts.push((FactName::Weight, Fact::Color(weight)));
+                sent
             }),
             _ => None,
         };
-        if let Some((origin, direction)) = sent {
-            facts.push((FactName::Origin, vector(origin)));
-            facts.push((FactName::Direction, vector(direction)));
+        if let Some(sent) = sent {
+            facts.push((FactName::Origin, vector(sent.origin)));
+            facts.push((FactName::Direction, vector(sent.direction)));
         }
         let (ray, length) = believed_ray(believed, sent)?;
         let traced = self.laws.closest_point(world, &ray, &mut Silent);
@@ -142,18 +171,19 @@ impl<'a> Walk<'a> {
         facts.push((FactName::Normal, vector(computed.normal)));
         Some(BelievedVertex {
             primitive: hit.primitive,
-            at: believed.interaction(computed),
+            at: believed.interaction(computed, length),
         })
     }
 
-    /// The origin, the direction and the weight of a secondary ray of a hit.
-    fn secondary(&self, kind: RayKind, parent: usize) -> Option<(DVec3, Secondary)> {
+    /// A secondary ray of a hit, and its weight.
+    fn secondary(&self, kind: RayKind, parent: usize) -> Option<(SentRay, Rgb)> {
         let vertex = self.vertices[parent].as_ref()?;
         let point = self.point(vertex);
         let split = self.split(parent, vertex, &point);
         let ray = self.wanted(kind, &point, split.as_ref()).ok()?;
         let start = self.laws.start(&vertex.at, ray.direction);
-        Some((start.origin, ray))
+        let sent = SentRay::from_surface(kind, &vertex.at, start.origin, ray.direction);
+        Some((sent, ray.weight))
     }
 
     fn wanted(
@@ -193,12 +223,17 @@ impl<'a> Walk<'a> {
         Some(others.split(point, model, [g1, g2]))
     }
 
-    /// The indices of refraction on both sides of where a ray ends: ours if it is on the same object, else those of its object
-    /// and of air.
+    /// The indices of refraction on both sides of where a ray ends: ours if it is on the same side of the same object, else those
+    /// of its object and of air.
     fn media(&self, ray: usize, vertex: &BelievedVertex) -> Option<[f64; 2]> {
         let (ours, scene) = (&self.of.facts.rays[ray], &self.world.scene);
         let object = &scene.object_of(vertex.primitive).name;
-        if ours.word(&FactName::Object) == Some(object) {
+        let side = match vertex.at.side {
+            Side::Front => "front",
+            Side::Back => "back",
+        };
+        if ours.word(&FactName::Object) == Some(object) && ours.word(&FactName::Side) == Some(side)
+        {
             return Some([ours.number(&FactName::N1)?, ours.number(&FactName::N2)?]);
         }
         let inside = scene.medium_ior(scene.owners[vertex.primitive as usize]);
@@ -240,7 +275,8 @@ impl<'a> Walk<'a> {
         }
         let limit = self.laws.depth(self.settings.recursion.depth);
         for kind in [RayKind::Reflected, RayKind::Transmitted] {
-            let wanted = self.wanted(kind, &point, split.as_ref()).is_ok();
+            let wanted = self.wanted(kind, &point, split.as_ref());
+            let wanted = wanted.is_ok_and(|ray| ray.weight.max_channel() >= 0.0);
             // Whether its weight is too small depends on all before it: there ours decides.
             let too_small = ours
                 .absent
@@ -249,109 +285,6 @@ impl<'a> Walk<'a> {
             let sent = wanted && !too_small && (ours.path.depth() as u32) < limit;
             facts.push((FactName::Sends(kind), yes_or_no(sent)));
         }
-    }
-
-    /// The terms of a light without area at a hit point, by the student's own shadow ray.
-    fn light(
-        &self,
-        believed: Believed,
-        point: &ShadingPoint,
-        light: u32,
-        facts: &mut Vec<(FactName, Fact)>,
-    ) {
-        let scene = &self.world.scene;
-        let named = &scene.lights[light as usize];
-        if named.kind.is_area() {
-            return;
-        }
-        let path = believed.ours.path.then(Step::Light(named.name.clone(), 0));
-        let theirs = self.theirs.get(&path).copied();
-        let shines = FactName::Shines(named.name.clone());
-        let Some(sent) = self.sent_to(point, light) else {
-            return facts.push((shines, yes_or_no(false)));
-        };
-        let direction = theirs.and_then(|ray| ray.vector(&FactName::Direction));
-        let direction = direction.map(DVec3::from_array);
-        // What is told as it is sent stays as the laws have it.
-        let other = direction.filter(|d| (*d - sent.light.direction).length() > SAME_DIRECTION);
-        let shadow = other.map_or(sent, |direction| ShadowRay {
-            n_dot_l: point.at.normal.dot(direction),
-            light: crate::shading::LightSample {
-                direction,
-                ..sent.light
-            },
-            ..sent
-        });
-        let told = theirs.and_then(|ray| ray.word(&FactName::Outcome));
-        let occluded = told.map_or_else(
-            || self.is_occluded(point, light, &shadow),
-            |word| word != "lit",
-        );
-        facts.push((shines, yes_or_no(!self.is_occluded(point, light, &sent))));
-        self.laws.eval(point, &shadow, occluded, |term| {
-            let (name, value) = (named.name.clone(), term.value());
-            let factor = match term {
-                Term::Specular { r_dot_v, .. } => {
-                    (FactName::RDotV(name.clone(), 0), r_dot_v.max(0.0))
-                }
-                _ => (FactName::NDotL(name.clone(), 0), shadow.n_dot_l),
-            };
-            facts.push((factor.0, Fact::Number(factor.1)));
-            facts.push((
-                FactName::Term(term.kind(), Some(name), 0),
-                Fact::Color(value),
-            ));
-        });
-    }
-
-    /// The shadow ray that the laws send to a light.
-    fn sent_to(&self, point: &ShadingPoint, light: u32) -> Option<ShadowRay> {
-        let kind = &self.world.scene.lights.get(light as usize)?.kind;
-        let sampler = PointSampler::new(self.settings, point, kind);
-        self.laws.shadow_ray(&sampler, 0, point, kind).ok()
-    }
-
-    fn is_occluded(&self, point: &ShadingPoint, light: u32, shadow: &ShadowRay) -> bool {
-        let (world, settings) = (self.world, self.settings);
-        let occluder = self
-            .laws
-            .occluder((world, settings), (point, light), shadow, &mut Silent);
-        occluder.is_some()
-    }
-
-    /// An L ray: where it goes, and whether its light is seen.
-    fn shadow_ray(&self, believed: Believed, facts: &mut Vec<(FactName, Fact)>) {
-        let scene = &self.world.scene;
-        let (Some(Step::Light(name, _)), Some(parent)) =
-            (believed.ours.path.steps.last(), believed.ours.parent)
-        else {
-            return;
-        };
-        let light = scene.lights.iter().position(|light| light.name == *name);
-        let (Some(light), Some(vertex)) = (light, self.vertices[parent].as_ref()) else {
-            return;
-        };
-        if scene.lights[light].kind.is_area() {
-            return;
-        }
-        let point = self.point(vertex);
-        let Some(sent) = self.sent_to(&point, light as u32) else {
-            // No ray: no light.
-            facts.push((FactName::Outcome, Fact::Word("blocked".to_owned())));
-            return;
-        };
-        facts.push((FactName::Origin, vector(sent.ray.origin)));
-        facts.push((FactName::Direction, vector(sent.light.direction)));
-        if sent.light.distance.is_finite() {
-            facts.push((FactName::Distance, Fact::Number(sent.light.distance)));
-        }
-        let start = (sent.ray.origin, sent.ray.direction);
-        let Some((ray, _)) = believed_ray(believed, Some(start)) else {
-            return;
-        };
-        let occluded = self.is_occluded(&point, light as u32, &ShadowRay { ray, ..sent });
-        let word = if occluded { "blocked" } else { "lit" };
-        facts.push((FactName::Outcome, Fact::Word(word.to_owned())));
     }
 
     /// The radiance of each ray: the sum of the student's own terms and of what comes back along the student's own R and T.

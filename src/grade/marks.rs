@@ -11,7 +11,9 @@ mod trees;
 pub use given::Given;
 pub use picture::agree as agree_in_picture;
 
-use super::compare::Compared;
+use serde::{Deserialize, Serialize};
+
+use super::compare::{Compared, TreeComparison};
 use super::diff::Cause;
 use super::task::{Check, CheckKind, Task};
 use crate::trace::facts::TreePath;
@@ -26,7 +28,7 @@ pub struct CheckMark {
     /// All, some, none; not asked, or not to be read.
     pub status: CheckStatus,
     /// Quantities by what they came to.
-    pub counts: Counted,
+    pub counts: QuantityCounts,
     /// First causes, with the pixel of each.
     pub causes: Vec<((u32, u32), Cause)>,
     /// The tree of the first cause.
@@ -64,8 +66,9 @@ pub enum CheckStatus {
 }
 
 /// Quantities by what they came to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counted {
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub struct QuantityCounts {
     /// Equal to ours.
     pub right: u64,
     /// Right given the student's own numbers.
@@ -78,6 +81,23 @@ pub struct Counted {
     pub missing: u64,
     /// Rays that should not be.
     pub extra: u64,
+}
+
+impl CausingTree {
+    /// What is kept of a comparison: the quantities for which `is_kept` holds, and all rays too many.
+    pub fn new(
+        pixel: (u32, u32),
+        comparison: TreeComparison,
+        is_kept: &dyn Fn(&Compared) -> bool,
+    ) -> Self {
+        let mut compared = comparison.all;
+        compared.retain(is_kept);
+        Self {
+            pixel,
+            compared,
+            extra: comparison.extra.into_iter().map(|(path, _)| path).collect(),
+        }
+    }
 }
 
 impl CheckMark {

@@ -22,8 +22,10 @@ use crate::trace::facts::TreePath;
 pub use classroom50::{Classroom, is_datetime, utc};
 pub use csv::table;
 pub use document::GradeDocument;
-pub use html::{Page, pages};
+pub use html::{Page, difference, pages};
 pub use merge::{merge, parse};
+
+pub use super::value::points;
 
 /// What an output is made for.
 #[derive(Clone, Copy)]
@@ -136,12 +138,6 @@ impl OutputKind {
 pub fn json(document: &GradeDocument) -> Result<String, String> {
     let text = serde_json::to_string_pretty(document).map_err(|error| error.to_string())?;
     Ok(text + "\n")
-}
-
-/// Points as people read them: `2.75`.
-pub fn points(thousandths: u64) -> String {
-    let text = format!("{}.{:03}", thousandths / 1000, thousandths % 1000);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// True if values and addresses of a check are told.

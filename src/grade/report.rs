@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::attempts::CountedScore;
 use super::diff::Cause;
 use super::finder::{self, Diagnosis, Evidence};
 use super::marks::{CheckMark, Given, marks};
@@ -28,6 +29,8 @@ pub struct Marked {
     pub marks: Vec<CheckMark>,
     /// The mistakes that explain it.
     pub diagnosis: Option<Diagnosis>,
+    /// The score that counts, if it is that of another attempt.
+    pub counted: Option<CountedScore>,
     /// What could not be read.
     pub problems: Vec<String>,
 }
@@ -43,6 +46,7 @@ impl Marked {
                 id: None,
                 marks: Vec::new(),
                 diagnosis: None,
+                counted: None,
                 problems: submission.problems,
             };
         };
@@ -83,6 +87,7 @@ impl Marked {
             id: None,
             marks,
             diagnosis: diagnosis.flatten(),
+            counted: None,
             problems,
         }
     }
@@ -107,6 +112,7 @@ impl Marked {
             id: self.id.clone(),
             marks: marks.collect(),
             diagnosis: self.diagnosis.clone().filter(|_| says),
+            counted: self.counted.clone(),
             problems: self.problems.clone(),
         }
     }

@@ -19,6 +19,8 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use super::attempts::Attempts;
+
 /// A task as its file has it. Unknown keys are errors.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -48,6 +50,9 @@ pub struct TaskFile {
     /// Bends that count as right, too.
     #[serde(default)]
     pub accept: Vec<String>,
+    /// Which attempts count, where the platform tells the earlier ones.
+    #[serde(default)]
+    pub attempts: Option<Attempts>,
     /// Tolerances by quantity: the absolute part, or absolute and relative.
     #[serde(default)]
     pub tolerance: BTreeMap<String, ToleranceValue>,
@@ -158,6 +163,20 @@ pub struct EstimateFile {
     pub samples: u64,
     /// The error that is allowed at most, as a share of the mean.
     pub error: f64,
+    /// Whether the values of single samples are asked, or their mean and their number alone.
+    #[serde(default)]
+    pub ask: AskedEstimate,
+}
+
+/// What of an estimate is asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum AskedEstimate {
+    /// The values of single samples.
+    #[default]
+    Samples,
+    /// Their mean and how many there are: nothing tells whether it is an estimate.
+    Mean,
 }
 
 /// How much a message tells about what is wrong.

@@ -59,3 +59,9 @@ pub fn json_value(fact: &Fact) -> Value {
         Fact::Nothing => Value::Null,
     }
 }
+
+/// Points as people read them: `2.75`.
+pub fn points(thousandths: u64) -> String {
+    let text = format!("{}.{:03}", thousandths / 1000, thousandths % 1000);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}

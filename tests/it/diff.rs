@@ -162,12 +162,52 @@ fn the_command_tells_the_law_and_where_to_look() {
     assert_eq!(json["format"], "raytree-diff/1");
     assert_eq!(json["causes"][0]["as_if"][0], "medium-not-tracked");
     assert!(json["agree"].as_u64() < json["asked"].as_u64());
+    let (page, status) = raytree(&[&args[..], &["--format", "html"]].concat());
+    assert_eq!(status, Some(4));
+    // Both trees, the cause, and nothing that loads or runs.
+    for part in [
+        "<!DOCTYPE html>",
+        "default-src 'none'",
+        "medium-not-tracked",
+        "<th>handed in</th>",
+        "wrong: law media",
+        "42 consequences: ",
+        ">agrees</td>",
+    ] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
+    assert!(
+        !page.contains("<script") && !page.contains("http:") && !page.contains("https:"),
+        "{page}"
+    );
+}
+
+/// An exam sheet shows a wrong tree and does not say what is wrong with it.
+#[test]
+fn an_anonymous_tree_does_not_name_its_bend() {
+    let args = ["trace", "whitted@160,120", "--bend", "eta-inverted"];
+    let (named, status) = raytree(&args);
+    assert_eq!(status, Some(0));
+    let (anonymous, status) = raytree(&[&args[..], &["--anonymous"]].concat());
+    assert_eq!(status, Some(0));
+    assert!(named.contains("eta-inverted") && !anonymous.contains("eta-inverted"));
+    let read = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
+    assert_eq!(read(&named)["samples"], read(&anonymous)["samples"]);
+    for format in ["text", "dot", "svg"] {
+        let (text, _) = raytree(&[&args[..], &["--anonymous", "--format", format]].concat());
+        assert!(!text.contains("eta-inverted"), "{format}");
+    }
 }
 
 #[test]
 fn wrong_command_lines_are_told() {
     for (args, status, part) in [
-        (vec!["diff", "whitted@1", "whitted@1,1"], 2, "SCENE@X,Y"),
+        (vec!["diff", "whitted@1", "whitted@1,1"], 2, "is no pixel"),
+        (
+            vec!["diff", "whitted@1,1/R", "whitted@1,1"],
+            2,
+            "a part of a tree",
+        ),
         (vec!["diff", "whitted@9999,1", "whitted@1,1"], 2, "outside"),
         (
             vec!["diff", "whitted@1,1", "no-such-file.json"],

@@ -1,6 +1,6 @@
 //! Flat scenes: what stands in them is the scene, found by rays that share no code with the tracer.
 
-mod closest;
+pub mod closest;
 mod text;
 
 use std::path::{Path, PathBuf};

@@ -14,7 +14,7 @@ fn task(name: &str) -> Task {
     thread_pool::install(0, || Task::load(&path)).expect(name)
 }
 
-/// The bends as students of the three tasks: at least three of four that lose points are named, none wrongly.
+/// The bends as students of the three tasks: at least 95 of 100 that lose points are named, none wrongly.
 #[test]
 fn bends_are_named_in_the_tasks_and_never_wrongly() {
     let (mut all, mut named) = (0, 0);
@@ -37,7 +37,7 @@ fn bends_are_named_in_the_tasks_and_never_wrongly() {
         }
     }
     assert!(
-        4 * named >= 3 * all,
+        20 * named >= 19 * all,
         "{named} of {all}:\n{}",
         wrong.join("\n")
     );

@@ -22,6 +22,7 @@ mod cost;
 mod diff;
 mod document;
 mod effects;
+mod estimates;
 mod exporters;
 mod find;
 mod flat;
@@ -37,7 +38,10 @@ mod laws;
 mod light_extremes;
 mod limits;
 mod media;
+#[cfg(unix)]
+mod monday;
 mod obj;
+mod patched;
 mod penumbra;
 mod projected;
 mod read_trees;

@@ -47,7 +47,7 @@ fn printed(source: &str, scene: &str, folder: &Path) -> Vec<Value> {
         .collect()
 }
 
-fn source() -> String {
+pub fn source() -> String {
     fs::read_to_string(lesson("solutions/python/tracer.py")).expect("there")
 }
 
@@ -181,7 +181,7 @@ fn each_patch_changes_one_line_and_with_it_the_trees() {
 }
 
 /// The program with a patch, put in by its context as the tool `patch` does it.
-fn patched(patch: &str, name: &str) -> String {
+pub fn patched(patch: &str, name: &str) -> String {
     let hunk: Vec<&str> = patch.lines().skip(3).collect();
     let is = |sign: char| hunk.iter().filter(|l| l.starts_with(sign)).count();
     assert_eq!((is('-'), is('+')), (1, 1), "{name} changes one line");

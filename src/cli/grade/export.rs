@@ -15,6 +15,8 @@ use crate::scene::FileId;
 pub enum ExportKind {
     /// The archive that Gradescope takes as an autograder
     Gradescope,
+    /// The files of an assignment of Classroom 50, for its folder below `autograders`
+    Classroom50,
 }
 
 impl ExportKind {
@@ -53,6 +55,7 @@ impl ExportKind {
         };
         let bytes = match self {
             Self::Gradescope => archive::gradescope(Path::new(path), task, program),
+            Self::Classroom50 => archive::classroom50(Path::new(path), task, program),
         };
         let bytes = bytes.map_err(|error| Failure::Input(error.to_string()))?;
         for place in places.into_iter().flatten() {

@@ -1,14 +1,11 @@
 //! The list of a course: who is who, and who handed in nothing.
 
 use std::collections::HashSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::small_file::{broken, text_of};
 use crate::cli::Failure;
 use crate::scene::printable::excerpt;
-
-/// Bytes of a list at most.
-const MAX_BYTES: u64 = 16 << 20;
 
 /// One who is to be marked.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -43,10 +40,8 @@ pub fn entries(submissions: &[PathBuf], list: Option<&Path>) -> Result<Entries, 
             warnings: Vec::new(),
         });
     };
-    let students = parse(&read(path)?).map_err(|what| {
-        let path = excerpt(&path.to_string_lossy());
-        Failure::Input(format!("{path}: {what}"))
-    })?;
+    let text = text_of(path, "list of students")?;
+    let students = parse(&text).map_err(|what| broken(path, &what))?;
     Ok(match_up(submissions, &students))
 }
 
@@ -86,17 +81,6 @@ fn match_up(submissions: &[PathBuf], students: &[(String, String)]) -> Entries {
         id: Some(id.clone()),
     }));
     all
-}
-
-fn read(path: &Path) -> Result<String, Failure> {
-    let shown = excerpt(&path.to_string_lossy());
-    let wrong = |what: String| Failure::Input(format!("{shown}: {what}"));
-    let cannot = |error: std::io::Error| wrong(format!("cannot be read: {error}"));
-    let size = fs::metadata(path).map_err(cannot)?.len();
-    if size > MAX_BYTES {
-        return Err(wrong("is larger than 16 MiB: no list of students".into()));
-    }
-    fs::read_to_string(path).map_err(cannot)
 }
 
 /// Names and ids, from lines `name,id`. A cell may stand in quotes; a first line `name,id` is a heading.

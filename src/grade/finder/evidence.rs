@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 
 use super::Tally;
-use crate::grade::compare::{Compared, Status, TreeComparison, find};
-use crate::grade::follow::{PixelReference, expected};
+use crate::grade::compare::{Compared, Status, TreeComparison};
+use crate::grade::follow::{Consequences, PixelReference};
 use crate::grade::marks::{Given, agree_in_picture};
 use crate::grade::picture::read_picture;
 use crate::grade::quantity::QuantityKind;
@@ -14,8 +14,10 @@ use crate::scene::Bends;
 use crate::trace::facts::{Fact, PixelFacts};
 use crate::tracer::Film;
 
-/// Pixels with trees that are looked at.
+/// Pixels with trees that are looked at, and of these without errors at least, if there are so many: they speak against a bend
+/// that would show at them.
 const MOST_PIXELS: usize = 40;
+const WITHOUT_ERRORS: usize = 10;
 
 /// One thing that was handed in, beside ours.
 pub enum Evidence<'a> {
@@ -38,6 +40,8 @@ pub enum Evidence<'a> {
         ours: &'a PixelFacts,
         /// The student's.
         theirs: &'a PixelFacts,
+        /// How many of its values do not agree.
+        errors: u64,
     },
     /// A picture.
     Picture {
@@ -57,7 +61,7 @@ pub enum Evidence<'a> {
 impl<'a> Evidence<'a> {
     /// All that a submission tells.
     pub fn of(task: &'a Task, given: &'a Given) -> Vec<Self> {
-        let mut all = Vec::new();
+        let (mut all, mut at_pixels) = (Vec::new(), Vec::new());
         let mut seen = HashSet::new();
         for check in &task.checks {
             match &check.kind {
@@ -67,9 +71,8 @@ impl<'a> Evidence<'a> {
                         let theirs = given.tree(check.scene, at).ok().flatten();
                         if let Some(theirs) = theirs
                             && seen.insert((check.scene, at))
-                            && all.len() < MOST_PIXELS
                         {
-                            all.push(Self::pixel(task, check.scene, ours, theirs));
+                            at_pixels.push(Self::pixel(task, check.scene, ours, theirs));
                         }
                     }
                 }
@@ -96,25 +99,40 @@ impl<'a> Evidence<'a> {
                 CheckKind::Estimate { .. } => {}
             }
         }
+        let (mut wrong, mut right): (Vec<_>, Vec<_>) =
+            at_pixels.into_iter().partition(|p| p.errors() > 0);
+        wrong.truncate(MOST_PIXELS - right.len().min(WITHOUT_ERRORS));
+        right.truncate(MOST_PIXELS - wrong.len());
+        all.extend(wrong);
+        all.extend(right);
         all
     }
 
     fn pixel(task: &Task, scene: usize, ours: &'a PixelFacts, theirs: &'a PixelFacts) -> Self {
-        if theirs.rays.is_empty() {
+        let of = pixel_reference(task, scene, ours);
+        let comparison = TreeComparison::new(of, theirs, &task.tolerances);
+        // A right tree whose colour is wrong tells of its colour.
+        let is_right = comparison.all.iter().all(|c| c.status != Status::Wrong);
+        let errors = wrong_colors(task, ours, theirs);
+        if theirs.rays.is_empty() || is_right && errors > 0 {
             return Self::Color {
                 scene,
                 ours,
                 theirs,
+                errors,
             };
         }
-        let comparison =
-            TreeComparison::new(pixel_reference(task, scene, ours), theirs, &task.tolerances);
         Self::Tree {
             scene,
             ours,
             theirs,
             compared: comparison.all,
         }
+    }
+
+    /// True for the tree of a pixel.
+    pub fn is_tree(&self) -> bool {
+        matches!(self, Self::Tree { .. })
     }
 
     /// How many things are wrong in themselves.
@@ -124,8 +142,7 @@ impl<'a> Evidence<'a> {
                 let wrong = compared.iter().filter(|c| c.status == Status::Wrong);
                 wrong.count() as u64
             }
-            Self::Color { .. } => 1,
-            Self::Picture { errors, .. } => *errors,
+            Self::Color { errors, .. } | Self::Picture { errors, .. } => *errors,
         }
     }
 
@@ -139,9 +156,10 @@ impl<'a> Evidence<'a> {
                 theirs,
                 compared,
             } => {
-                let bent = expected(pixel_reference(task, *scene, ours), theirs, bends);
+                let of = pixel_reference(task, *scene, ours);
+                let bent = Consequences::new(of, theirs, bends);
                 for compared in compared {
-                    let made = find(&bent[compared.ray], &compared.name);
+                    let made = bent.find(compared.ray, &compared.name);
                     add_tree_fact(task, compared, made, tally);
                 }
             }
@@ -149,6 +167,7 @@ impl<'a> Evidence<'a> {
                 scene,
                 ours,
                 theirs,
+                ..
             } => {
                 let scene = &task.scenes[*scene];
                 let settings = scene.settings.with(|s| s.bends = bends);
@@ -201,16 +220,48 @@ impl<'a> Evidence<'a> {
     }
 }
 
-fn add_tree_fact(task: &Task, compared: &Compared, made: Option<&Fact>, tally: &mut Tally) {
+/// How many values of a pixel's colour that the student tells are not ours: linear, and of 8 bits.
+fn wrong_colors(task: &Task, ours: &PixelFacts, theirs: &PixelFacts) -> u64 {
+    let pairs = [
+        (QuantityKind::Color, &ours.color, &theirs.color),
+        (QuantityKind::Srgb8, &ours.srgb8, &theirs.srgb8),
+    ];
+    let is_wrong = |(quantity, ours, theirs): &(QuantityKind, &Option<Fact>, &Option<Fact>)| {
+        let (Some(ours), Some(theirs)) = (ours, theirs) else {
+            return false;
+        };
+        !task.tolerances.agree(*quantity, ours, theirs)
+    };
+    pairs.iter().filter(|pair| is_wrong(pair)).count() as u64
+}
+
+fn add_tree_fact(task: &Task, compared: &Compared, made: [Option<&Fact>; 2], tally: &mut Tally) {
     let Some(theirs) = &compared.theirs else {
         return;
     };
+    // A vector of length 1 speaks against no mistake: whoever sends a ray may make its direction a unit vector.
+    if compared.quantity == QuantityKind::Unit && compared.status == Status::Right {
+        return;
+    }
     let agree = |a: &Fact, b: &Fact| task.tolerances.agree(compared.quantity, a, b);
-    let right = compared.follows.as_ref().unwrap_or(&compared.ours);
     let is_wrong = compared.status == Status::Wrong;
-    let explained = made.is_some_and(|made| agree(made, theirs));
-    let telling = made.is_some_and(|made| !agree(right, made));
-    tally.add(telling, explained, is_wrong);
+    // By each reading: whether the bend makes another value than our law, and whether the student has it.
+    let readings = [0, 1].map(|reading| {
+        let right = compared.follows[reading].as_ref().unwrap_or(&compared.ours);
+        let made = made[reading];
+        let telling = made.is_some_and(|made| !agree(right, made));
+        (telling, made.is_some_and(|made| agree(made, theirs)))
+    });
+    let explained = readings.iter().find(|(_, explained)| *explained);
+    match explained {
+        Some((telling, _)) => tally.add(*telling, true, is_wrong),
+        // Against the bend speaks what it makes by both readings.
+        None => tally.add(
+            readings.iter().all(|(telling, _)| *telling),
+            false,
+            is_wrong,
+        ),
+    }
 }
 
 impl Tally {

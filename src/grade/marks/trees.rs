@@ -1,7 +1,7 @@
 //! The mark of a check of ray trees.
 
-use super::{CausingTree, CheckMark, Counted, Given};
-use crate::grade::compare::{Status, TreeComparison};
+use super::{CausingTree, CheckMark, Given, QuantityCounts};
+use crate::grade::compare::{Compared, Status, TreeComparison};
 use crate::grade::diff::{Cause, TreeDiff};
 use crate::grade::follow::PixelReference;
 use crate::grade::quantity::QuantityKind;
@@ -17,7 +17,7 @@ const KEPT: usize = 3;
 struct Sum {
     earned: u64,
     asked: u64,
-    counts: Counted,
+    counts: QuantityCounts,
     causes: Vec<((u32, u32), Cause)>,
     tree: Option<CausingTree>,
     note: String,
@@ -91,21 +91,12 @@ fn pixel(
     if has_causes && sum.causes.len() < KEPT {
         let causes = TreeDiff::new(of, theirs, &task.tolerances, &|_| true).causes;
         let ray = causes.first().map(|cause| cause.first.ray);
-        sum.tree.get_or_insert_with(|| causing(at, comparison, ray));
+        let is_kept = |c: &Compared| c.status != Status::Right || Some(c.ray) == ray;
+        sum.tree
+            .get_or_insert_with(|| CausingTree::new(at, comparison, &is_kept));
         let room = KEPT - sum.causes.len();
         sum.causes
             .extend(causes.into_iter().take(room).map(|cause| (at, cause)));
-    }
-}
-
-/// What is kept of the tree of a cause at this ray.
-fn causing(pixel: (u32, u32), comparison: TreeComparison, ray: Option<usize>) -> CausingTree {
-    let mut compared = comparison.all;
-    compared.retain(|c| c.status != Status::Right || Some(c.ray) == ray);
-    CausingTree {
-        pixel,
-        compared,
-        extra: comparison.extra.into_iter().map(|(path, _)| path).collect(),
     }
 }
 

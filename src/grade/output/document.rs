@@ -4,6 +4,8 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::grade::marks::QuantityCounts;
+
 /// The name of the format.
 pub const FORMAT: &str = "raytree-grade/1";
 
@@ -100,24 +102,6 @@ pub struct ShownCheck {
     pub note: String,
     /// First causes.
     pub causes: Vec<GradedCause>,
-}
-
-/// Quantities by what they came to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub struct QuantityCounts {
-    /// Equal to ours.
-    pub right: u64,
-    /// Right given the student's own numbers.
-    pub right_given: u64,
-    /// First causes.
-    pub wrong: u64,
-    /// Consequences.
-    pub follows: u64,
-    /// Not told.
-    pub missing: u64,
-    /// Rays that should not be.
-    pub extra: u64,
 }
 
 /// A law that is broken.

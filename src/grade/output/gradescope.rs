@@ -21,8 +21,10 @@ pub fn results(audience: Audience, marked: &Marked, report: &Report) -> Value {
     let tests = checks
         .zip(1..)
         .map(|((c, mark), n)| test(audience, c, mark, n));
+    let counted = marked.counted.as_ref();
+    let score = counted.map_or(marked.score(), |counted| counted.score);
     json!({
-        "score": Milli(marked.score()),
+        "score": Milli(score),
         "output": headed(&text::submission(audience, marked)),
         "output_format": "ansi",
         "visibility": "visible",

@@ -3,8 +3,8 @@
 use serde_json::Value;
 
 use super::document::{
-    FORMAT, GradeDocument, GradedCause, GradedCheck, GradedSubmission, Milli, NamedBends,
-    QuantityCounts, Readers, ShownCheck, TaskName,
+    FORMAT, GradeDocument, GradedCause, GradedCheck, GradedSubmission, Milli, NamedBends, Readers,
+    ShownCheck, TaskName,
 };
 use super::{Audience, diagnosis, shows, unknown};
 use crate::grade::diff::Cause;
@@ -63,17 +63,9 @@ fn submission(audience: Audience, marked: &Marked) -> GradedSubmission {
 }
 
 fn check(audience: Audience, check: &Check, mark: &CheckMark) -> GradedCheck {
-    let counts = mark.counts;
     let causes = mark.causes.iter();
     let shown_check = ShownCheck {
-        counts: QuantityCounts {
-            right: counts.right,
-            right_given: counts.right_given,
-            wrong: counts.wrong,
-            follows: counts.follows,
-            missing: counts.missing,
-            extra: counts.extra,
-        },
+        counts: mark.counts,
         note: shown(&mark.note),
         causes: causes.map(|(at, c)| cause(audience, *at, c)).collect(),
     };

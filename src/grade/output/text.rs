@@ -51,6 +51,9 @@ pub fn submission(audience: Audience, marked: &Marked) -> String {
             about(audience, check, mark)
         );
     }
+    if let Some(counted) = &marked.counted {
+        let _ = writeln!(out, "{}", counted.why);
+    }
     if let Some(text) = diagnosis(audience, marked) {
         let _ = writeln!(out, "{text}");
     }

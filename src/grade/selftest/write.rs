@@ -39,12 +39,10 @@ impl SelfTest {
                 .iter()
                 .map(|mark| format!("{:>10}", points(mark.score)))
                 .collect();
-            let _ = writeln!(
-                out,
-                "{name:22}{}{:>10}  {named}",
-                cells.concat(),
-                points(marked.score())
-            );
+            let cells = cells.concat();
+            let all = points(marked.score());
+            let row = format!("{name:22}{cells}{all:>10}  {named}");
+            let _ = writeln!(out, "{}", row.trim_end());
         };
         for marked in self.right.iter().chain(&self.wrong) {
             line(&marked.name, marked, "");

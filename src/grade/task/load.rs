@@ -11,6 +11,7 @@ use super::scene::{MAX_PIXELS, TaskScene, reference};
 use super::steady::{self, draw};
 use super::{CheckFile, PictureFile, PixelsFile, Say, TaskFile};
 use crate::accel::fastest;
+use crate::grade::attempts::Attempts;
 use crate::grade::tolerance::Tolerances;
 use crate::scene::effects::effects;
 use crate::scene::{Bend, Bends, load};
@@ -35,6 +36,8 @@ pub struct Task {
     pub pass: u32,
     /// Bends that count as right, too.
     pub accept: Vec<Bend>,
+    /// Which attempts count.
+    pub attempts: Option<Attempts>,
     /// How far off values may be.
     pub tolerances: Tolerances,
     /// The scenes, each with the settings it is traced with.
@@ -145,6 +148,7 @@ impl Task {
             say: file.say,
             pass: file.pass,
             accept: names(&file.accept).map_err(wrong)?,
+            attempts: file.attempts,
             tolerances: tolerances(file).map_err(wrong)?,
             scenes: Vec::new(),
             checks: Vec::new(),

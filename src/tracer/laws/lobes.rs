@@ -66,11 +66,10 @@ fn specular(
         (point.at.normal, ray.light.direction, point.at.to_viewer);
     let is_even = (shininess / 2.0).fract() == 0.0;
     match bend {
-        Bend::VNotNegated if !is_even => Some((intensity, reflect(-l, n).dot(-v))),
+        Bend::VNotNegated => Some((intensity, reflect(-l, n).dot(-v))),
         Bend::MirrorLHalf => Some((intensity, (n.dot(l) * n - l).dot(v))),
         Bend::Halfway => Some((intensity, n.dot((l + v).normalize_or_zero()))),
-        // (R.I)^n as well: an even power hides the sign.
-        Bend::SpecularEven | Bend::VNotNegated if is_even => Some((intensity, r_dot_v.abs())),
+        Bend::SpecularEven if is_even => Some((intensity, r_dot_v.abs())),
         Bend::SpecularTimesCos => Some((intensity * ray.n_dot_l, r_dot_v)),
         Bend::CosAbsolute | Bend::CosUnclamped if ray.n_dot_l <= 0.0 => None,
         _ => Some((intensity, r_dot_v)),

@@ -88,7 +88,8 @@ pub fn reflected(
             Bend::ReflectPlus => incident + 2.0 * n.dot(incident) * n,
             Bend::ReflectNo2 => incident - n.dot(incident) * n,
             Bend::ReflectLongNormal => reflect(incident, 2.0 * n),
-            Bend::MirrorOne => {
+            // Of glass it is a share of the light that is left out, not Kr.
+            Bend::MirrorOne if split.is_none() => {
                 return ray.map(|ray| Secondary {
                     weight: Rgb::WHITE,
                     ..ray

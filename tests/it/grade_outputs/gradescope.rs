@@ -112,6 +112,138 @@ fn the_exported_grader_gives_the_same_results() {
     assert_eq!(value["tests"][0]["status"], "passed");
 }
 
+/// Earlier attempts, as Gradescope's harness tells them, and a task in which the best one counts.
+#[cfg(unix)]
+#[test]
+fn the_best_attempt_counts_where_the_task_says_so() {
+    let class = Class::new();
+    let task = fs::read_to_string(class.path("task.toml")).expect("there");
+    let rule = format!("attempts = {{ best = true, most = 3 }}\n{task}");
+    fs::write(class.path("rule.toml"), rule).expect("written");
+    let score = |earlier: &str, task: &str| {
+        let metadata = format!("{{\"previous_submissions\": {earlier}}}");
+        fs::write(class.path("metadata.json"), metadata).expect("written");
+        let words = [
+            task,
+            "in/bo.ndjson",
+            "--metadata",
+            "metadata.json",
+            "--output",
+            "gradescope=results.json",
+        ];
+        let (status, _, told) = class.run_with(&words, &[]);
+        assert_eq!(status, 0, "{told}");
+        let results = fs::read_to_string(class.path("results.json")).expect("written");
+        let results: Value = serde_json::from_str(&results).expect("JSON");
+        satisfies(&results, "gradescope-results.json");
+        let output = results["output"].as_str().expect("text").to_owned();
+        (results["score"].as_f64().expect("a number"), output)
+    };
+    let (now, _) = score("[]", "rule.toml");
+    assert!(now > 0.5 && now < 9.0, "{now}");
+    let (best, told) = score("[{\"score\": 8.5}]", "rule.toml");
+    assert!(
+        best == 8.5 && told.contains("An earlier attempt counts: 8.5 points."),
+        "{told}"
+    );
+    assert_eq!(score("[{\"score\": 8.5}]", "task.toml").0, now);
+    let many = "[{\"score\": 0.25}, {\"score\": 0.5}, {\"score\": 0}]";
+    let (best, told) = score(many, "rule.toml");
+    assert!(
+        best == 0.5 && told.contains("Attempt 4; 3 count."),
+        "{told}"
+    );
+    let two = [
+        "rule.toml",
+        "in/bo.ndjson",
+        "in/ada.ndjson",
+        "--metadata",
+        "metadata.json",
+    ];
+    let (status, _, told) = class.run_with(&two, &[]);
+    assert!(status == 2 && told.contains("of one student"), "{told}");
+    fs::write(class.path("metadata.json"), "[").expect("written");
+    let (status, _, told) = class.run_with(&two[..2], &[]);
+    assert_eq!(status, 0, "{told}");
+    let one = [two[0], two[1], two[3], two[4]];
+    let (status, _, told) = class.run_with(&one, &[]);
+    assert!(status == 1 && told.contains("metadata.json: "), "{told}");
+}
+
+/// The archive is unpacked where Classroom 50 has the files of an assignment, and its script is run in a student's repository.
+#[cfg(unix)]
+#[test]
+fn the_grader_for_classroom_50_writes_result_json() {
+    if !crate::hello::is_found("python3", true) {
+        return;
+    }
+    let class = Class::new();
+    let own = env!("CARGO_BIN_EXE_raytree");
+    fs::write(
+        class.path("program"),
+        format!("#!/bin/sh\nexec '{own}' \"$@\"\n"),
+    )
+    .expect("written");
+    let words = [
+        "--export",
+        "classroom50",
+        "task.toml",
+        "--program",
+        "program",
+        "-o",
+        "a.zip",
+    ];
+    let (status, _, told) = class.run_with(&words, &[]);
+    assert_eq!(status, 0, "{told}");
+    let bundle = class.path("bundle");
+    let bytes = fs::read(class.path("a.zip")).expect("written");
+    let mut zip = zip::ZipArchive::new(std::io::Cursor::new(bytes)).expect("an archive");
+    zip.extract(&bundle).expect("unpacked");
+    let repository = class.path("repository");
+    fs::create_dir(&repository).expect("a folder");
+    fs::copy(class.path("in/bo.ndjson"), repository.join("bo.ndjson")).expect("copied");
+    let mut command = Command::new("python3");
+    command
+        .arg(bundle.join("autograder.py"))
+        .current_dir(&repository);
+    for (name, value) in [
+        ("CLASSROOM50_BUNDLE_DIR", bundle.to_str().expect("UTF-8")),
+        ("CLASSROOM", "graphics"),
+        ("ASSIGNMENT", "hits"),
+        ("USERNAME", "bo"),
+        ("SUBMISSION_TAG", "submit/1"),
+        ("COMMIT_URL", "https://example.org/c"),
+        ("RELEASE_URL", "https://example.org/r"),
+    ] {
+        command.env(name, value);
+    }
+    let output = command.output().expect("it runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let read = |name: &str| fs::read_to_string(repository.join(name)).expect("written");
+    let result: Value = serde_json::from_str(&read("result.json")).expect("JSON");
+    satisfies(&result, "classroom50-result.json");
+    assert_eq!(
+        (&result["owner"], &result["max-score"]),
+        (&json!("bo"), &json!(900))
+    );
+    assert!(
+        read("release-body.md").contains("    "),
+        "{}",
+        read("release-body.md")
+    );
+    let mut left: Vec<_> = fs::read_dir(&repository)
+        .expect("a folder")
+        .flatten()
+        .collect();
+    left.sort_by_key(std::fs::DirEntry::file_name);
+    let left: Vec<_> = left.iter().map(std::fs::DirEntry::file_name).collect();
+    assert_eq!(left, ["bo.ndjson", "release-body.md", "result.json"]);
+}
+
 #[test]
 fn all_files_of_a_scene_are_exported() {
     let class = Class::new();

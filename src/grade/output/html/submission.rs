@@ -93,7 +93,7 @@ fn first_cause(audience: Audience, marked: &Marked) -> String {
         format!("<p>{}</p>\n", escape(&cause_line(audience, (x, y), cause))),
         format!("<p><code>{}</code></p>\n", escape(&open)),
         equation::table_of(ours, kept, &cause.first),
-        tree::table_of(audience, ours, kept),
+        tree::table_of(audience.say(), ours, kept),
     ]
     .concat()
 }

@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use super::{cell, escape, table};
 use crate::grade::compare::{Compared, Status};
 use crate::grade::marks::CausingTree;
-use crate::grade::output::Audience;
 use crate::grade::quantity::field;
 use crate::grade::task::{Check, CheckKind, Say};
 use crate::grade::value::{shown, text};
@@ -23,7 +22,7 @@ pub fn ours(check: &Check, at: (u32, u32)) -> Option<&PixelFacts> {
 }
 
 /// A row a ray, and one for each of its quantities that is not ours.
-pub fn table_of(audience: Audience, ours: &PixelFacts, kept: &CausingTree) -> String {
+pub fn table_of(say: Say, ours: &PixelFacts, kept: &CausingTree) -> String {
     let mut by_ray: HashMap<usize, Vec<&Compared>> = HashMap::new();
     let differing = kept.compared.iter().filter(|c| c.status != Status::Right);
     for compared in differing {
@@ -33,7 +32,7 @@ pub fn table_of(audience: Audience, ours: &PixelFacts, kept: &CausingTree) -> St
     for (index, ray) in ours.rays.iter().take(MOST_RAYS).enumerate() {
         let compared = by_ray.remove(&index).unwrap_or_default();
         rows.push(ray_row(ray, &compared));
-        rows.extend(compared.iter().map(|c| quantity_row(audience, c)));
+        rows.extend(compared.iter().map(|c| quantity_row(say, c)));
     }
     for path in &kept.extra {
         let path = shown(&path.to_string());
@@ -74,13 +73,13 @@ fn ray_row(ray: &RayFacts, differing: &[&Compared]) -> String {
     )
 }
 
-fn quantity_row(audience: Audience, compared: &Compared) -> String {
+fn quantity_row(say: Say, compared: &Compared) -> String {
     let (class, word) = match compared.status {
         Status::Right => ("right", "agrees".to_owned()),
         Status::RightGiven => ("follows", "right for its own numbers".to_owned()),
         Status::Follows => ("follows", "follows".to_owned()),
         Status::Missing => ("missing", "not told".to_owned()),
-        Status::Wrong if audience.say() == Say::Nothing => ("wrong", "wrong".to_owned()),
+        Status::Wrong if say == Say::Nothing => ("wrong", "wrong".to_owned()),
         Status::Wrong => ("wrong", format!("wrong: law {}", compared.law)),
     };
     let theirs = compared.theirs.as_ref().map(text).unwrap_or_default();
