@@ -310,9 +310,18 @@ def check(scene):
         sys.exit(f"tracer.py does not draw `{unknown[0]}` of {scene['name']}")
 
 
+def write_picture(tracer, width, height, folder):
+    """The whole picture as NAME.ppm in a folder, NAME that of the scene."""
+    with open(f"{folder}/{tracer.scene['name']}.ppm", "wb") as file:
+        file.write(b"P6 %d %d 255\n" % (width, height))
+        for y in range(height):
+            row = [tracer.pixel(x, y, width, height)["color"]["srgb8"] for x in range(width)]
+            file.write(bytes(channel for color in row for channel in color))
+
+
 def main():
-    if len(sys.argv) != 5:
-        sys.exit("usage: tracer.py FLAT.json WIDTH HEIGHT PIXELS")
+    if len(sys.argv) not in (5, 6):
+        sys.exit("usage: tracer.py FLAT.json WIDTH HEIGHT PIXELS [FOLDER]")
     with open(sys.argv[1], encoding="utf-8") as file:
         scene = json.load(file)
     check(scene)
@@ -322,6 +331,8 @@ def main():
     tracer = Tracer(scene)
     for x, y in pixels:
         print(json.dumps(tracer.pixel(x, y, width, height)))
+    if len(sys.argv) == 6:
+        write_picture(tracer, width, height, sys.argv[5])
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ h1{font-size:1.5rem}h2{font-size:1.25rem;margin-top:2rem}h3{font-size:1.05rem}
 table{border-collapse:collapse;margin:.6rem 0}th,td{border:1px solid #ccc;padding:.2rem .6rem;text-align:left;vertical-align:top}
 th{background:#f2f2f2}td.n{text-align:right;font-variant-numeric:tabular-nums}
 .wrong{background:#fde3e0}.follows{background:#fdf3d8}.right{color:#2f6b2f}.missing{background:#eee}
-pre{overflow-x:auto}code,pre,.tree td{font-family:ui-monospace,monospace;font-size:.87rem}section{border-top:2px solid #888;margin-top:2.5rem}
+pre{white-space:pre-wrap}code,pre,.tree td{font-family:ui-monospace,monospace;font-size:.87rem}section{border-top:2px solid #888;margin-top:2.5rem}
 @media(prefers-color-scheme:dark){body{color:#e6e6e6;background:#161616}th{background:#2a2a2a}th,td{border-color:#444}
 .wrong{background:#5a2420}.follows{background:#50431a}.missing{background:#333}.right{color:#8fce8f}a{color:#8ab4f8}}";
 
