@@ -13,6 +13,8 @@ pub mod progressive;
 pub mod projection;
 pub mod row_text;
 pub mod rows;
+pub mod samples;
+pub mod search;
 pub mod session;
 pub mod steps;
 #[cfg(test)]
@@ -27,6 +29,7 @@ pub use picture::PartialPicture;
 pub use projection::Axis;
 pub use row_text::RowText;
 pub use rows::{RowKind, TreeRow, TreeRows};
+pub use search::Search;
 pub use session::Session;
 pub use steps::{StepKind, StepText};
 pub use window::Window;

@@ -15,6 +15,7 @@ pub mod parameter;
 pub mod parameters;
 pub mod pareto;
 pub mod plot;
+pub mod show;
 pub mod stability;
 
 pub use budget::{CostModel, affordable};

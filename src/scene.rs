@@ -37,7 +37,7 @@ pub use settings::{
     Adaptive, AreaLightSampling, Budget, Image, Pilot, PixelSampling, Recursion, Sampling,
     Settings, flags,
 };
-pub use trace_command::trace_command;
+pub use trace_command::{trace_command, view_command};
 pub use warning::{Warning, WarningCode};
 
 use crate::geometry::{Arithmetic, Hit, Shape};

@@ -65,7 +65,7 @@ impl Accel {
         rays: &[(Ray, Interval)],
         out: &mut [Option<Hit>],
     ) {
-        let scratch = &mut PacketScratch::default();
+        let scratch = &mut PacketScratch::new();
         for (rays, out) in rays.chunks(PACKET_SIZE).zip(out.chunks_mut(PACKET_SIZE)) {
             let rays = &rays[..rays.len().min(out.len())];
             if search_packet::<false, T>(tree.isa(), tree, shapes, rays, out, scratch).is_none() {
@@ -81,7 +81,7 @@ impl Accel {
         rays: &[(Ray, Interval)],
         out: &mut [bool],
     ) {
-        let (scratch, best) = (&mut PacketScratch::default(), &mut [None; PACKET_SIZE]);
+        let (scratch, best) = (&mut PacketScratch::new(), &mut [None; PACKET_SIZE]);
         for (rays, out) in rays.chunks(PACKET_SIZE).zip(out.chunks_mut(PACKET_SIZE)) {
             let rays = &rays[..rays.len().min(out.len())];
             match search_packet::<true, T>(tree.isa(), tree, shapes, rays, best, scratch) {

@@ -65,8 +65,8 @@ impl Find {
         let (world, settings) = self.scene.build(scene, fastest)?;
         let most = self.first.map_or(usize::MAX, |n| n as usize);
         let bar = progress_bar(&settings, self.scene.notices.quiet);
-        let watch = |pixels| {
-            bar.inc(pixels);
+        let watch = |_: &[(u32, u32)], searched| {
+            bar.inc(searched);
             ControlFlow::Continue(())
         };
         let threads = self.scene.settings.threads;

@@ -2,6 +2,7 @@
 
 mod files;
 mod report;
+mod show;
 mod stats;
 
 use std::io::IsTerminal;
@@ -20,6 +21,7 @@ use super::settings::check::{self, parse_positive};
 use super::{ColorArg, Completion, Failure, command_line, end_signals};
 use crate::accel::fastest;
 use crate::lab::converge::{Convergence, StopReason, converge};
+use crate::lab::show::ShowMode;
 use crate::probe::Silent;
 use crate::sampling::Sampler;
 use crate::scene::{Scene, Settings, Warning};
@@ -54,6 +56,9 @@ pub struct Render {
     /// Also draw how many samples each pixel took: black for the fewest, white for the most, even steps where they double
     #[arg(long, value_name = "FILE.png", requires = "adaptive")]
     sample_map: Option<PathBuf>,
+    /// Show the work of each pixel, or what its eye ray meets, in the place of its colour; .pfm has the numbers themselves
+    #[arg(long, value_enum, value_name = "MODE", conflicts_with_all = ["until_error", "error_map", "sample_map", "stats"])]
+    show: Option<ShowMode>,
     /// Colours of the text picture
     #[arg(long, value_enum, default_value_t = ColorArg::Auto)]
     color: ColorArg,
@@ -78,6 +83,9 @@ impl Render {
         let (world, settings) = self.scene.build(scene, fastest)?;
         let settings = self.wanted(settings)?;
         check::rays(&settings)?;
+        if let Some(mode) = self.show {
+            return self.write_shown(mode, (&world, &settings), picture);
+        }
         let interrupted = Arc::new(AtomicBool::new(false));
         end_signals::stop_gently(&interrupted);
         let start = Instant::now();

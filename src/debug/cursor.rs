@@ -20,6 +20,10 @@ pub enum StepCommand {
     NextRay(RayKind),
     /// To the ray of a kind before here.
     PreviousRay(RayKind),
+    /// To the next ray that is not sent.
+    NextAbsent,
+    /// To the ray that is not sent before here.
+    PreviousAbsent,
     /// To the first event.
     Start,
     /// To the last event.
@@ -67,6 +71,8 @@ impl Cursor {
             StepCommand::End => Some(Self::end(tree)),
             StepCommand::NextRay(kind) => self.next_ray(tree, kind),
             StepCommand::PreviousRay(kind) => self.previous_ray(tree, kind),
+            StepCommand::NextAbsent => self.next_absent(tree),
+            StepCommand::PreviousAbsent => self.previous_absent(tree),
         }
     }
 
@@ -130,6 +136,20 @@ impl Cursor {
         Some(Self::at(tree, node.first_event as usize))
     }
 
+    /// The next ray that is not sent, if there is one behind here.
+    pub fn next_absent(self, tree: &RayTree) -> Option<Self> {
+        let behind = tree.events.get(self.position + 1..)?;
+        let at = behind.iter().position(is_absence)?;
+        Some(Self::at(tree, self.position + 1 + at))
+    }
+
+    /// The ray that is not sent before here, if there is one.
+    pub fn previous_absent(self, tree: &RayTree) -> Option<Self> {
+        let before = tree.events.get(..self.position)?;
+        let at = before.iter().rposition(is_absence)?;
+        Some(Self::at(tree, at))
+    }
+
     /// The start of a node's ray.
     #[must_use]
     pub fn at_node(tree: &RayTree, node: u32) -> Self {
@@ -145,6 +165,10 @@ impl Cursor {
 pub fn traversal_end(tree: &RayTree, first: usize) -> usize {
     let rest = tree.events.get(first..).unwrap_or_default();
     first + rest.iter().take_while(|e| is_traversal(e)).count()
+}
+
+fn is_absence(event: &Event) -> bool {
+    matches!(event, Event::Absent { .. })
 }
 
 /// True for the steps through the acceleration structure.

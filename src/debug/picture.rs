@@ -2,6 +2,7 @@
 
 use super::progressive::{BLOCKS, Missing};
 use super::window::Window;
+use crate::lab::show::{ShownRange, ShownValue};
 use crate::math::Rgb;
 use crate::tracer::CutShare;
 
@@ -16,7 +17,7 @@ pub struct PartialPicture {
     pub cursor: (u32, u32),
     /// What the limits of recursion left out of what was rendered.
     pub cuts: CutShare,
-    pixels: Vec<Option<Rgb>>,
+    pixels: Vec<Option<ShownValue>>,
     done: usize,
 }
 
@@ -98,10 +99,10 @@ impl PartialPicture {
     }
 
     /// A pixel was rendered.
-    pub fn set(&mut self, at: (u32, u32), color: Rgb) {
+    pub fn set(&mut self, at: (u32, u32), value: ShownValue) {
         if self.window.contains(at)
             && let Some(pixel) = self.pixels.get_mut(self.window.index(at))
-            && pixel.replace(color).is_none()
+            && pixel.replace(value).is_none()
         {
             self.done += 1;
         }
@@ -114,15 +115,28 @@ impl PartialPicture {
         self.done = 0;
     }
 
-    /// The colour of a pixel, if it was rendered and is in the window.
-    pub fn exact(&self, at: (u32, u32)) -> Option<Rgb> {
+    /// The colour of a pixel or what is shown in its place, if it was rendered and is in the window.
+    pub fn exact(&self, at: (u32, u32)) -> Option<ShownValue> {
         self.window
             .contains(at)
             .then(|| self.pixels.get(self.window.index(at)).copied())??
     }
 
-    /// The colour of a pixel, or of the smallest block around it that is known.
-    pub fn nearest(&self, (x, y): (u32, u32)) -> Option<Rgb> {
+    /// The colour of a pixel, if that was rendered and is in the window.
+    pub fn color(&self, at: (u32, u32)) -> Option<Rgb> {
+        match self.exact(at)? {
+            ShownValue::Color(color) => Some(color),
+            _ => None,
+        }
+    }
+
+    /// The range of the numbers that are known.
+    pub fn range(&self) -> Option<ShownRange> {
+        ShownRange::of(self.pixels.iter().flatten().copied())
+    }
+
+    /// What a pixel shows, or the smallest block around it that is known.
+    pub fn nearest(&self, (x, y): (u32, u32)) -> Option<ShownValue> {
         let Window { x: x0, y: y0, .. } = self.window;
         if !self.window.contains((x, y)) {
             return None;
@@ -152,26 +166,29 @@ impl PartialPicture {
 mod tests {
     use super::*;
 
+    const WHITE: ShownValue = ShownValue::Color(Rgb::WHITE);
+    const BLACK: ShownValue = ShownValue::Color(Rgb::BLACK);
+
     #[test]
     fn blocks_stand_for_pixels_that_are_not_known() {
         let mut picture = PartialPicture::new((40, 40), (40, 40), (0, 0));
         assert_eq!(picture.nearest((17, 17)), None);
-        picture.set((16, 16), Rgb::WHITE);
-        assert_eq!(picture.nearest((17, 17)), Some(Rgb::WHITE));
+        picture.set((16, 16), WHITE);
+        assert_eq!(picture.nearest((17, 17)), Some(WHITE));
         assert_eq!(picture.exact((17, 17)), None);
-        picture.set((17, 17), Rgb::BLACK);
-        assert_eq!(picture.nearest((17, 17)), Some(Rgb::BLACK));
-        assert_eq!(picture.nearest((18, 17)), Some(Rgb::WHITE));
+        picture.set((17, 17), BLACK);
+        assert_eq!(picture.nearest((17, 17)), Some(BLACK));
+        assert_eq!(picture.nearest((18, 17)), Some(WHITE));
     }
 
     #[test]
     fn the_window_follows_the_cursor_and_keeps_what_it_knows() {
         let mut picture = PartialPicture::new((100, 80), (20, 10), (5, 5));
-        picture.set((19, 5), Rgb::WHITE);
+        picture.set((19, 5), WHITE);
         picture.move_by(15, 0);
         assert!(picture.follow());
         assert_eq!(picture.window.x, 10);
-        assert_eq!(picture.exact((19, 5)), Some(Rgb::WHITE));
+        assert_eq!(picture.exact((19, 5)), Some(WHITE));
         assert_eq!(picture.missing().known.iter().filter(|k| **k).count(), 1);
         picture.move_by(1000, 1000);
         assert!(picture.follow());

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::window::Window;
+use crate::lab::show::{ShowMode, ShownValue};
 use crate::probe::Silent;
 use crate::scene::Settings;
 use crate::tracer::{Pixel, pixel, thread_pool};
@@ -14,8 +15,17 @@ pub const BLOCKS: [u32; 5] = [16, 8, 4, 2, 1];
 /// Pixels that are reported at once.
 const BATCH: usize = 32;
 
+/// A pixel that is drawn: its colour with all that is known of it, or what is shown in its place.
+#[derive(Clone, Debug)]
+pub enum DrawnPixel {
+    /// Its colour.
+    Pixel(Pixel),
+    /// What is shown.
+    Shown(ShownValue),
+}
+
 /// Rendered pixels.
-pub type Pixels = Vec<((u32, u32), Pixel)>;
+pub type Pixels = Vec<((u32, u32), DrawnPixel)>;
 
 /// The part of an image that is to be rendered.
 #[derive(Clone, Debug)]
@@ -26,10 +36,11 @@ pub struct Missing {
     pub known: Vec<bool>,
 }
 
-/// Renders all missing pixels on `threads` threads (0: one a core), until `stopped`. True if all are done.
+/// Renders all missing pixels on `threads` threads (0: one a core), until `stopped`; with a mode what that shows. True if all are
+/// done.
 pub fn render(
-    world: &World,
-    settings: &Settings,
+    (world, settings): (&World, &Settings),
+    mode: Option<ShowMode>,
     missing: &Missing,
     threads: usize,
     stopped: &(dyn Fn() -> bool + Sync),
@@ -47,7 +58,11 @@ pub fn render(
                     if stopped() {
                         return;
                     }
-                    done.push((*at, pixel(world, settings, *at, &mut Silent)));
+                    let drawn = match mode {
+                        Some(mode) => DrawnPixel::Shown(mode.of(world, settings, *at)),
+                        None => DrawnPixel::Pixel(pixel(world, settings, *at, &mut Silent)),
+                    };
+                    done.push((*at, drawn));
                 }
                 tell(done);
             });

@@ -128,7 +128,7 @@ fn absence(session: &Session, row: TreeRow) -> String {
             } else {
                 format!(" to {name}")
             };
-            format!(" no {}{to}: {}", kind.letter(), reason.name())
+            format!(" no {}{to}: {}", kind.letter(), reason.words())
         }
         _ => String::new(),
     }

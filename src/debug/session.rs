@@ -97,6 +97,8 @@ impl Session {
             StepCommand::PreviousRay(kind) => {
                 Err(format!("no {} ray comes before this", kind.letter()))
             }
+            StepCommand::NextAbsent => Err("all rays after this are sent".to_owned()),
+            StepCommand::PreviousAbsent => Err("all rays before this are sent".to_owned()),
             _ => Ok(()),
         }
     }

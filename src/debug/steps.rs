@@ -45,6 +45,27 @@ impl StepText {
     }
 }
 
+fn is_skipped(visit: &Visit) -> bool {
+    matches!(
+        visit.choice,
+        Choice::SkippedCloserHit | Choice::SkippedOutside | Choice::SkippedMissed
+    )
+}
+
+/// How many nodes the current ray visits, and how many shapes it is tested against.
+pub fn visited_and_tested(session: &Session) -> (usize, usize) {
+    let events = session
+        .tree()
+        .events
+        .get(session.steps())
+        .unwrap_or_default();
+    let visits = events
+        .iter()
+        .filter(|e| matches!(e, Event::Visit(v) if !is_skipped(v)));
+    let tests = events.iter().filter(|e| matches!(e, Event::Test { .. }));
+    (visits.count(), tests.count())
+}
+
 /// A node: what is done and why not more, then where it is split and which part of the ray is inside.
 fn visited(session: &Session, visit: &Visit) -> StepText {
     let [t0, t1] = visit.interval.map(short);
@@ -57,10 +78,7 @@ fn visited(session: &Session, visit: &Visit) -> StepText {
             format!("{name} at t {}, ", short(visit.t_split))
         }
     });
-    let skipped = matches!(
-        visit.choice,
-        Choice::SkippedCloserHit | Choice::SkippedOutside | Choice::SkippedMissed
-    );
+    let skipped = is_skipped(visit);
     StepText {
         kind: if skipped {
             StepKind::Skipped

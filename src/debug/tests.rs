@@ -2,9 +2,11 @@
 
 use std::sync::{Arc, Mutex};
 
+use super::progressive::DrawnPixel;
 use super::{
     PartialPicture, RowKind, RowText, Session, StepCommand, TreeRows, effects, pick, progressive,
 };
+use crate::lab::show::ShownValue;
 use crate::probe::{Event, RayKind, Silent};
 use crate::scene::effects::findings;
 use crate::scene::{self, Effect, Settings};
@@ -200,28 +202,28 @@ fn progressive_pixels_are_those_of_the_tracer() {
     let rendered = Mutex::new(Vec::new());
     let tell = |pixels| rendered.lock().expect("no panic").extend(pixels);
     let missing = picture.missing();
-    assert!(!progressive::render(
-        &world,
-        &settings,
-        &missing,
-        1,
-        &|| true,
-        &tell
-    ));
+    let render = |threads, stopped: bool| {
+        let stopped = move || stopped;
+        progressive::render(
+            (&world, &settings),
+            None,
+            &missing,
+            threads,
+            &stopped,
+            &tell,
+        )
+    };
+    assert!(!render(1, true));
     assert!(rendered.lock().expect("no panic").is_empty());
-    assert!(progressive::render(
-        &world,
-        &settings,
-        &missing,
-        2,
-        &|| false,
-        &tell
-    ));
+    assert!(render(2, false));
     let rendered = rendered.into_inner().expect("no panic");
     assert_eq!(rendered.len(), picture.window.area());
-    for (at, color) in rendered {
-        assert_eq!(color, pixel(&world, &settings, at, &mut Silent));
-        picture.set(at, color.color);
+    for (at, drawn) in rendered {
+        let DrawnPixel::Pixel(drawn) = drawn else {
+            panic!("colours are drawn");
+        };
+        assert_eq!(drawn, pixel(&world, &settings, at, &mut Silent));
+        picture.set(at, ShownValue::Color(drawn.color));
     }
     assert_eq!(picture.progress(), 1.0);
     // Another size keeps the cursor at the corresponding pixel; the same size changes nothing.

@@ -23,15 +23,18 @@ pub struct FoundPixels {
     pub complete: bool,
 }
 
-/// Searches the picture row after row, on `threads` threads (0: one a core), until `most` pixels were found. `watch` is told
-/// how many pixels were searched since the last time, and may stop the search.
+/// Told of the pixels that were found since the last time, and among how many; it may stop the search.
+pub type FindWatch<'a> = &'a (dyn Fn(&[(u32, u32)], u64) -> ControlFlow<()> + Sync);
+
+/// Searches the picture row after row, on `threads` threads (0: one a core), until `most` pixels were found. `watch` may
+/// stop it.
 pub fn find(
     world: &World,
     settings: &Settings,
     query: &TreeQuery,
     most: usize,
     threads: usize,
-    watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
+    watch: FindWatch,
 ) -> FoundPixels {
     let (width, height) = settings.size();
     let satisfies = |at: &(u32, u32)| {
@@ -54,9 +57,10 @@ pub fn find(
                 rows.flat_map(|y| (0..width).map(move |x| (x, y))).collect();
             let searched = pixels.len() as u64;
             let those: Vec<(u32, u32)> = pixels.into_par_iter().filter(satisfies).collect();
-            found.pixels.extend(those);
             found.searched += searched;
-            if watch(searched) == ControlFlow::Break(()) || found.pixels.len() >= most {
+            let told = watch(&those, searched);
+            found.pixels.extend(those);
+            if told == ControlFlow::Break(()) || found.pixels.len() >= most {
                 break;
             }
         }

@@ -79,10 +79,14 @@ impl Rgb {
         }
     }
 
-    /// What a screen shows: clamp to [0, 1] (only here, at the very end), sRGB curve, 8 bits a channel.
+    /// What a screen shows: [`Rgb::encoded`], 8 bits a channel.
     pub fn to_srgb8(self) -> [u8; 3] {
-        self.channels()
-            .map(|c| (srgb_curve(c.clamp(0.0, 1.0)) * 255.0).round() as u8)
+        self.encoded().map(|c| (c * 255.0).round() as u8)
+    }
+
+    /// Channels encoded for a screen, 0 to 1: clamped to [0, 1] (only here, at the very end), then the curve of sRGB.
+    pub fn encoded(self) -> [f64; 3] {
+        self.channels().map(|c| srgb_curve(c.clamp(0.0, 1.0)))
     }
 }
 

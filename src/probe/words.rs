@@ -9,6 +9,23 @@ impl Absence {
     pub fn name(self) -> &'static str {
         self.discriminant().into()
     }
+
+    /// Why the ray is not sent, in a few words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::TotalInternalReflection { .. } => "total internal reflection",
+            Self::NoReflection => "reflects nothing",
+            Self::NoTransmission => "lets nothing through",
+            Self::NoLocalLight => "lights do not matter",
+            Self::FacingAway { .. } => "light is behind it",
+            Self::OutsideCone { .. } => "outside of the cone",
+            Self::BelowSurface { .. } => "below the surface",
+            Self::MinWeight { .. } => "weight is too small",
+            Self::DepthLimit => "depth limit",
+            Self::RayBudget => "rays are used up",
+            Self::EffectOff => "effect is left out",
+        }
+    }
 }
 
 impl Choice {

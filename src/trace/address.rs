@@ -13,7 +13,7 @@ mod find;
 use std::fmt;
 use std::str::FromStr;
 
-pub use find::{node_at, subtree};
+pub use find::{node_at, path_of, subtree};
 
 use super::facts::TreePath;
 use crate::scene::printable::excerpt;

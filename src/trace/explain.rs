@@ -7,9 +7,14 @@ mod absence;
 mod end;
 mod light_samples;
 mod ray;
+mod screen;
+mod shapes;
+mod source;
 mod surface;
 mod term;
 mod traversal;
+
+pub use source::SourcePlace;
 
 use super::View;
 use super::format::rgb;
@@ -25,6 +30,8 @@ pub struct Explanation {
     pub sentence: String,
     /// The numbers, from the given to the result.
     pub rows: Vec<Quantity>,
+    /// The function of this program that does it.
+    pub source: SourcePlace,
 }
 
 /// A quantity and its value, or an equation and its numbers.
@@ -44,6 +51,7 @@ impl Explanation {
             title: title.into(),
             sentence: sentence.into(),
             rows: Vec::new(),
+            source: SourcePlace::default(),
         }
     }
 
@@ -75,6 +83,13 @@ pub fn explain(view: View, index: usize) -> Explanation {
         return Explanation::new("nothing", "The log is empty.");
     };
     let node = tree.node_of_event(index).unwrap_or(NONE);
+    Explanation {
+        source: source::source(view, event),
+        ..of_event(view, node, event)
+    }
+}
+
+fn of_event(view: View, node: u32, event: &Event) -> Explanation {
     match *event {
         Event::Sample {
             index,

@@ -21,6 +21,12 @@ pub fn num(x: f64) -> String {
     format!("{x:.3e}")
 }
 
+/// A number of things: `1 ray`, `8 rays`.
+pub fn counted(n: u64, what: &str) -> String {
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{n} {what}{plural}")
+}
+
 /// Three numbers: `(x, y, z)`.
 pub fn triple([x, y, z]: [f64; 3]) -> String {
     format!("({}, {}, {})", num(x), num(y), num(z))

@@ -95,6 +95,37 @@ impl TreeQuery {
         roots.any(|root| self.holds_at(view, root))
     }
 
+    /// What is asked of each ray, where the query asks it of any: `some(...)` without its brackets.
+    pub fn of_each_ray(&self) -> &Self {
+        match self {
+            Self::Some(query) => query.of_each_ray(),
+            query => query,
+        }
+    }
+
+    /// The event of a node's ray by which it satisfies the query: that of a ray which is not sent, where that is asked, else its
+    /// start. None if it does not.
+    pub fn event(&self, view: View, node: u32) -> Option<usize> {
+        let start = view.trace.tree.node(node).first_event as usize;
+        let holds = self.holds_at(view, node);
+        holds.then(|| self.absence(view, node).unwrap_or(start))
+    }
+
+    /// The event of a ray that is not sent, of those that the query names.
+    fn absence(&self, view: View, node: u32) -> Option<usize> {
+        match self {
+            Self::And(a, b) | Self::Or(a, b) => {
+                a.absence(view, node).or_else(|| b.absence(view, node))
+            }
+            Self::Is(Property::Absent(name)) => {
+                let mut events = view.trace.tree.own_events(node);
+                let is_it = |event: &Event| matches!(event, Event::Absent { reason, .. } if reason.name() == *name);
+                events.find_map(|(at, event)| is_it(event).then_some(at))
+            }
+            _ => None,
+        }
+    }
+
     /// True if a node satisfies the query.
     pub fn holds_at(&self, view: View, node: u32) -> bool {
         match self {

@@ -39,9 +39,14 @@ impl<'a> View<'a> {
     /// The part of the pixel's brightness that a node's subtree brings, 0 to 1; for an L ray, that of the terms it let
     /// through.
     pub fn fraction(self, node: u32) -> f64 {
-        let sample = self.trace.tree.sample_of_node(node);
-        let weight = sample.map_or(1.0, |s| s.weight);
+        let weight = self.sample_weight(node);
         (self.contribution(node) * weight).fraction_of(self.trace.pixel.color)
+    }
+
+    /// The weight in the pixel's sum of the sample that a node belongs to.
+    pub fn sample_weight(self, node: u32) -> f64 {
+        let sample = self.trace.tree.sample_of_node(node);
+        sample.map_or(1.0, |sample| sample.weight)
     }
 
     /// What a node's subtree adds to its sample: throughput x radiance; for an L ray the light's terms at its parent.

@@ -1,6 +1,7 @@
 //! Update of the model by a message. What takes long is asked of the worker: see [`crate::tui::model::Job`].
 
 mod action;
+mod compare;
 mod convergence;
 mod dispatch;
 mod effects;
@@ -8,6 +9,10 @@ mod image;
 mod keys;
 mod mouse;
 mod output;
+mod play;
+mod prompt;
 mod rows;
+mod search;
+mod set;
 
 pub use dispatch::{start, update};

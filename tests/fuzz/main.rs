@@ -19,6 +19,7 @@ mod models;
 mod pictures;
 mod queries;
 mod search;
+mod tasks;
 mod trees;
 mod words;
 mod zips;

@@ -67,11 +67,18 @@ fn compare(
     TreeDiff::new(of, theirs, &Tolerances::default(), &|_| true)
 }
 
+/// With `RAYTREE_PIXELS=all` all pixels of 80x60.
 #[test]
 fn every_tree_agrees_with_itself() {
+    let all = std::env::var("RAYTREE_PIXELS").is_ok_and(|pixels| pixels == "all");
+    let asked: Vec<(u32, u32)> = if all {
+        (0..60).flat_map(|y| (0..80).map(move |x| (x, y))).collect()
+    } else {
+        pixels().collect()
+    };
     for name in scene::builtin::names().chain(SCENES) {
         let (world, settings) = world(name);
-        for at in pixels() {
+        for &at in &asked {
             let ours = facts(&world, &settings, at);
             let diff = compare((&world, &settings), at, &ours, &ours);
             assert!(diff.is_empty() && diff.asked > 5, "{name} {at:?}: {diff:?}");

@@ -107,7 +107,7 @@ fn queries_say_what_the_trees_say() {
 fn a_search_stops_early_and_is_the_same_for_any_number_of_threads() {
     let (world, settings, _) = picture("glass-block");
     let query: TreeQuery = "some(R)".parse().expect("a query");
-    let go_on = |_| std::ops::ControlFlow::Continue(());
+    let go_on = |_: &[(u32, u32)], _| std::ops::ControlFlow::Continue(());
     let all = find(&world, &settings, &query, usize::MAX, 1, &go_on);
     assert!(all.complete && all.searched == 300 && all.pixels.len() > 3);
     assert_eq!(find(&world, &settings, &query, usize::MAX, 4, &go_on), all);

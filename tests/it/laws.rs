@@ -44,12 +44,13 @@ fn check(document: &Value, lights: usize, met: &mut Met) {
     for sample in list(&document["samples"]) {
         let root = &sample["root"];
         assert_eq!(root["kind"], "I");
-        let spread = check_node(root, None, lights, met);
-        assert!(
-            close(spread, vector(&root["radiance"]), 1e-12),
-            "the contributions of the tree add up to the root"
-        );
         let weight = number(&sample["weight"]);
+        let spread = check_node(root, None, (lights, weight), met);
+        let brought = vector(&root["radiance"]).map(|r| r * weight);
+        assert!(
+            close(spread, brought, 1e-12),
+            "the contributions of the tree add up to what the sample brings"
+        );
         color = combine(color, vector(&root["radiance"]), |sum, r| sum + r * weight);
     }
     assert_eq!(
@@ -57,10 +58,31 @@ fn check(document: &Value, lights: usize, met: &mut Met) {
         vector(&document["color"]["linear"]),
         "the samples add up to the pixel, exactly"
     );
+    check_screen(document, color);
+}
+
+/// From the pixel's sum to the numbers on the screen, by the published curve of sRGB.
+fn check_screen(document: &Value, color: V) {
+    let exposure = number(&document["settings"]["exposure"]);
+    let bytes = color.map(|linear| {
+        let shown = (linear * exposure).clamp(0.0, 1.0);
+        let curve = if shown <= 0.003_130_8 {
+            12.92 * shown
+        } else {
+            1.055 * libm::pow(shown, 1.0 / 2.4) - 0.055
+        };
+        (curve * 255.0).round()
+    });
+    assert_eq!(bytes, vector(&document["color"]["srgb8"]), "{color:?}");
 }
 
 /// Checks a node and all below it; returns the sum of their contributions.
-fn check_node(node: &Value, parent: Option<&Value>, lights: usize, met: &mut Met) -> V {
+fn check_node(
+    node: &Value,
+    parent: Option<&Value>,
+    (lights, weight): (usize, f64),
+    met: &mut Met,
+) -> V {
     let kind = node["kind"].as_str().expect("a kind");
     met.one(kind);
     let direction = vector(&node["direction"]);
@@ -94,10 +116,12 @@ fn check_node(node: &Value, parent: Option<&Value>, lights: usize, met: &mut Met
         check_term(node, term);
     }
     let own = combine(throughput, sum, |a, b| a * b);
+    // Weighted as the sample is.
+    let own = own.map(|c| c * weight);
     assert_eq!(own, vector(&node["contribution"]));
     let mut spread = own;
     for child in list(&node["children"]) {
-        let below = check_node(child, Some(node), lights, met);
+        let below = check_node(child, Some(node), (lights, weight), met);
         spread = combine(spread, below, |a, b| a + b);
         if child["kind"] != "L" {
             let brought = combine(

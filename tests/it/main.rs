@@ -50,6 +50,7 @@ mod same_bits;
 mod sampling;
 mod scenes;
 mod self_hits;
+mod show;
 mod solutions;
 mod spd;
 mod stepping;

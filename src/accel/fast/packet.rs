@@ -45,10 +45,20 @@ pub trait PacketTree {
 }
 
 /// Memory for packets, made once for many.
-#[derive(Default)]
 pub struct PacketScratch<S> {
     rays: RayPacket,
     stack: S,
+}
+
+impl<S: Default> PacketScratch<S> {
+    /// Memory for the first packet. (A function of its own in every program, so that instructions can be counted.)
+    #[inline(never)]
+    pub fn new() -> Self {
+        Self {
+            rays: RayPacket::default(),
+            stack: S::default(),
+        }
+    }
 }
 
 /// The mask of rays that hit something, if any hit will do; else their hits are in `best`. `None`, and nothing done, if

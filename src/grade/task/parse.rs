@@ -6,8 +6,7 @@ use super::error::TaskError;
 use super::{TaskFile, ToleranceValue};
 use crate::grade::quantity::QuantityKind;
 use crate::grade::tolerance::{Allowance, Tolerances};
-use crate::scene::settings::knob::{Kind, Value};
-use crate::scene::settings::knobs::knob;
+use crate::scene::settings::knobs::set_knob;
 use crate::scene::{Bend, Bends, Settings};
 
 /// Bytes of a task file at most.
@@ -65,26 +64,12 @@ pub fn beside(task: &str, scene: &str) -> Result<String, String> {
     Ok(scene.to_owned())
 }
 
-/// Sets a knob by its flag.
+/// Sets a knob by its flag. Bends are no settings of a task.
 pub fn set(settings: &mut Settings, flag: &str, value: &str) -> Result<(), String> {
-    let knob = knob(flag).filter(|knob| knob.flag != "bend");
-    let knob =
-        knob.ok_or_else(|| format!("`{flag}` is no setting; write one by the name of its flag"))?;
-    let value = match knob.kind {
-        Kind::Choice(words) if !words().iter().any(|word| word.name == value) => {
-            let words: Vec<&str> = words().iter().map(|word| word.name).collect();
-            return Err(format!(
-                "`{flag}` is `{value}`; it is one of {}",
-                words.join(", ")
-            ));
-        }
-        Kind::Choices(_) => Value::List(value.split(',').map(str::to_owned).collect()),
-        kind => kind
-            .parse(value)
-            .map_err(|what| format!("`{flag}`: {what}"))?,
-    };
-    (knob.field.set)(settings, &value);
-    Ok(())
+    if flag == "bend" {
+        return Err("`bend` is no setting of a task".to_owned());
+    }
+    set_knob(settings, flag, value)
 }
 
 /// A bend by name.

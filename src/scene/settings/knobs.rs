@@ -47,7 +47,7 @@ mod pixel;
 mod tracing;
 
 use super::Settings;
-use super::knob::{Field, Kind, Knob, Word};
+use super::knob::{Field, Kind, Knob, Value, Word};
 use crate::scene::{Effects, Scene};
 
 /// The knobs, in the order of help texts.
@@ -65,6 +65,27 @@ pub fn knobs() -> impl Iterator<Item = &'static Knob> {
 /// The knob with this flag.
 pub fn knob(flag: &str) -> Option<&'static Knob> {
     knobs().find(|knob| knob.flag == flag)
+}
+
+/// Sets a knob by its flag and the text of a value. An error says which flags or values there are.
+pub fn set_knob(settings: &mut Settings, flag: &str, value: &str) -> Result<(), String> {
+    let knob = knob(flag)
+        .ok_or_else(|| format!("`{flag}` is no setting; write one by the name of its flag"))?;
+    let value = match knob.kind {
+        Kind::Choice(words) if !words().iter().any(|word| word.name == value) => {
+            let words: Vec<&str> = words().iter().map(|word| word.name).collect();
+            return Err(format!(
+                "`{flag}` is `{value}`; it is one of {}",
+                words.join(", ")
+            ));
+        }
+        Kind::Choices(_) => Value::List(value.split(',').map(str::to_owned).collect()),
+        kind => kind
+            .parse(value)
+            .map_err(|what| format!("`{flag}`: {what}"))?,
+    };
+    (knob.field.set)(settings, &value);
+    Ok(())
 }
 
 /// What a row has unless it says otherwise.

@@ -33,6 +33,25 @@ pub fn node_at(view: View, path: &TreePath) -> Result<u32, String> {
     follow(root, path, children)
 }
 
+/// The path to a node of a recorded pixel.
+pub fn path_of(view: View, node: u32) -> TreePath {
+    let tree = &view.trace.tree;
+    let mut steps = Vec::new();
+    let mut at = node;
+    while let Some(parent) = tree.node(at).parent {
+        let ray = &tree.node(at).ray;
+        let light = (ray.light != NONE).then(|| view.light_name(ray.light));
+        steps.extend(Step::new(ray.kind, light, u32::from(ray.sample)));
+        at = parent;
+    }
+    steps.reverse();
+    let sample = tree.samples.iter().find(|sample| sample.root == Some(at));
+    TreePath {
+        sample: sample.map_or(0, |sample| sample.index),
+        steps,
+    }
+}
+
 /// The document with nothing but the ray at the end of the path and what hangs on it; if there is none, in words what is there.
 pub fn subtree(mut document: Document, path: &TreePath) -> Result<Document, String> {
     let count = document.samples.len();

@@ -103,7 +103,7 @@ fn ray_node(view: View, id: u32, children: Vec<RayNode>) -> RayNode {
         boundary: None,
         terms: Vec::new(),
         radiance: of_sums(this.radiance),
-        contribution: of_sums(this.contribution()),
+        contribution: of_sums(this.contribution() * view.sample_weight(id)),
         absent: Vec::new(),
         children,
         traversal: Vec::new(),

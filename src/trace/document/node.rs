@@ -64,7 +64,7 @@ pub struct RayNode {
     /// Sum of the terms, then of weight x radiance of the R and T children, in this order.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radiance: Option<Rgb>,
-    /// throughput x sum of own terms; over the tree they add up to the root's radiance.
+    /// weight of the sample x throughput x sum of own terms; over all samples they add up to the pixel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contribution: Option<Rgb>,
     /// Rays that were not sent from here, and why.

@@ -1,6 +1,8 @@
 //! The end of a ray: what it found, and what it brings back.
 
 use super::Explanation;
+use super::screen::to_screen;
+use super::term::weighted;
 use crate::math::Rgb;
 use crate::probe::RayKind;
 use crate::trace::View;
@@ -102,14 +104,20 @@ pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
             } => explanation.color(format!("+ weight x {}", kind.letter()), weight * radiance),
         };
     }
-    explanation.color("radiance", radiance).row(
+    let weight = view.sample_weight(node);
+    let explanation = explanation.color("radiance", radiance).row(
         "in the pixel",
         format!(
-            "{} x {} = {} ({:.1} % of its brightness)",
+            "{}{} x {} = {} ({:.1} % of its brightness)",
+            weighted(weight),
             rgb(this.throughput),
             rgb(radiance),
-            rgb(this.total()),
+            rgb(this.total() * weight),
             view.fraction(node) * 100.0
         ),
-    )
+    );
+    if this.parent.is_none() {
+        return to_screen(view, node, radiance, explanation);
+    }
+    explanation
 }

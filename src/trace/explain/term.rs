@@ -9,17 +9,27 @@ use crate::trace::format::{degrees, num, rgb, vec3};
 pub fn term(view: View, node: u32, term: &Term, light: (u32, u32)) -> Explanation {
     let throughput = view.trace.tree.node(node).throughput;
     let value = term.value();
+    let weight = view.sample_weight(node);
     base_term(view, node, term, light)
         .color(term.name(), value)
         .row(
             "in the pixel",
             format!(
-                "{} x {} = {}",
+                "{}{} x {} = {}",
+                weighted(weight),
                 rgb(throughput),
                 rgb(value),
-                rgb(throughput * value)
+                rgb(throughput * value * weight)
             ),
         )
+}
+
+/// The weight of a sample as a factor; nothing where it is 1.
+pub fn weighted(weight: f64) -> String {
+    if weight == 1.0 {
+        return String::new();
+    }
+    format!("{} x ", num(weight))
 }
 
 fn base_term(view: View, node: u32, term: &Term, light: (u32, u32)) -> Explanation {

@@ -1,7 +1,7 @@
 //! The traversal of the acceleration structure: nodes visited and primitives tested.
 
-use super::Explanation;
-use crate::geometry::{Arithmetic, Naive, Shape, Shear};
+use super::{Explanation, shapes};
+use crate::geometry::{Arithmetic, Naive, Shape};
 use crate::math::{DVec3, Ray};
 use crate::probe::{NONE, Verdict, Visit};
 use crate::trace::View;
@@ -29,7 +29,7 @@ pub fn visit(view: View, node: u32, visit: &Visit) -> Explanation {
                 num(d),
                 num(n_o),
                 num(n_d),
-                num(visit.t_split)
+                num((d - n_o) / n_d)
             ),
         )
         .row("near", child(visit.near))
@@ -68,16 +68,7 @@ pub fn test(view: View, node: u32, primitive: u32, verdict: Verdict, t: f64) -> 
         ),
         sentence(verdict.reason()),
     );
-    if let Shape::Triangle(triangle) = shape {
-        let shear = Shear::new(&Ray::new(sent.origin, sent.direction));
-        let [u, v, w] = triangle.edges(&shear).functions;
-        explanation = explanation
-            .row(
-                "edge functions",
-                format!("{}, {}, {}", num(u), num(v), num(w)),
-            )
-            .row("", "inside if all have the same sign");
-    }
+    explanation = shapes::add(explanation, shape, &Ray::new(sent.origin, sent.direction));
     if let Shape::Naive(naive) = shape {
         explanation = explanation.row("arithmetic", tested_with(naive));
     }

@@ -31,8 +31,32 @@ pub enum Action {
     Open,
     /// Move the cursor in the log.
     Step(StepCommand),
-    /// Ask for the number of an event.
+    /// Step by itself, forwards or backwards; once more, faster.
+    Play(bool),
+    /// Ask for an event or an address to go to.
     GoTo,
+    /// Ask for a setting to change.
+    Set,
+    /// Show the samples of the pixel as a table.
+    Samples,
+    /// Ask for what the open tree is compared with.
+    Compare,
+    /// Twice (half, if the second is false) as many samples of lights (of pixels, if the first is false).
+    MoreSamples(bool, bool),
+    /// Other random numbers.
+    NextSeed,
+    /// Take the last change of a setting back.
+    Undo,
+    /// Ask for a query to search for.
+    Search,
+    /// To the next (previous, if false) pixel or ray that satisfies the query.
+    FindNext(bool),
+    /// Show the next (previous, if false) thing in the place of colours.
+    Show(bool),
+    /// Copy the command that opens what is shown.
+    Copy,
+    /// To the next (previous, if false) ready text of the prompt.
+    Ready(bool),
     /// Down (up, if negative) by so many rows of the focused pane.
     Rows(i32),
     /// Down (up, if negative) by pages of the focused pane.
@@ -51,9 +75,9 @@ pub enum Action {
     Zoom,
     /// Look at the scene from the next side.
     View,
-    /// Take the number that was typed.
+    /// Take the text that was typed.
     Accept,
-    /// Delete the last digit.
+    /// Delete the last letter.
     Erase,
 }
 
@@ -64,7 +88,7 @@ pub enum Context {
     Picture,
     /// While a ray tree is open.
     Tree,
-    /// While a number is typed.
+    /// While a text is typed.
     Prompt,
     /// While the effects are shown.
     Effects,

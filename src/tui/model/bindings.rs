@@ -43,7 +43,7 @@ pub const ACTIONS: &[Binding] = {
     use Action as A;
     use Context::{Always, Effects, Picture, Prompt, Tree};
     use KeyCode::{BackTab, Backspace, Down, End, Enter, Esc, Home, Left, PageDown, PageUp, Right, Tab, Up};
-    use StepCommand::{Back, Forward, NextRay, Out, Over, PreviousRay, Start};
+    use StepCommand::{Back, Forward, NextAbsent, NextRay, Out, Over, PreviousAbsent, PreviousRay, Start};
     use RayKind::{Incident, Light, Reflected, Transmitted};
     &[
         row(Picture, true, &[(key(Left), A::Move(-1, 0)), (key(Down), A::Move(0, 1)), (key(Up), A::Move(0, -1)), (key(Right), A::Move(1, 0)),
@@ -54,6 +54,13 @@ pub const ACTIONS: &[Binding] = {
             "leap", "Move by 8 pixels."),
         row(Picture, true, &[(key(Enter), A::Open), (ch(' '), A::Open)], "open its ray tree", "Trace the pixel again and open its ray tree."),
 
+        row(Picture, true, &[(ch('/'), A::Search)], "find", "Find the pixels whose ray trees satisfy a query, such as tir or hits:ball. The others are drawn darker."),
+        row(Picture, false, &[(ch('n'), A::FindNext(true)), (ch('N'), A::FindNext(false)), (ch('f'), A::FindNext(true)), (ch('F'), A::FindNext(false))],
+            "next found", "To the next (previous) pixel that was found."),
+        row(Picture, false, &[(ch('s'), A::Show(true)), (ch('S'), A::Show(false))], "show",
+            "Show rays, nodes, tests, depth, t, errors, normals or objects in the place of colours."),
+        row(Picture, false, &[(ch(':'), A::GoTo)], "go to", "To the pixel or the address that you type, such as 160,120/R."),
+
         row(Tree, true, &[(ch('n'), A::Step(Forward))], "next", "One event on."),
         row(Tree, true, &[(ch('p'), A::Step(Back))], "previous", "One event back: the exact inverse."),
         row(Tree, true, &[(ch('o'), A::Step(Over))], "over", "Over what begins here: a ray with all that it sends, or a search for the hit."),
@@ -61,9 +68,15 @@ pub const ACTIONS: &[Binding] = {
         row(Tree, true, &[(ch('r'), A::Step(NextRay(Reflected))), (ch('R'), A::Step(PreviousRay(Reflected)))], "R ray", "The next (previous) reflected ray."),
         row(Tree, true, &[(ch('t'), A::Step(NextRay(Transmitted))), (ch('T'), A::Step(PreviousRay(Transmitted)))], "T ray", "The next (previous) transmitted ray."),
         row(Tree, true, &[(ch('l'), A::Step(NextRay(Light))), (ch('L'), A::Step(PreviousRay(Light)))], "L ray", "The next (previous) ray to a light."),
+        row(Tree, false, &[(ch('>'), A::Play(true)), (ch('<'), A::Play(false))], "play", "Step on (back) by itself, twice a second; once more doubles the speed, any other key stops."),
+        row(Tree, false, &[(ch('a'), A::Step(NextAbsent)), (ch('A'), A::Step(PreviousAbsent))], "absent", "The next (previous) ray that is not sent."),
         row(Tree, false, &[(ch('i'), A::Step(NextRay(Incident))), (ch('I'), A::Step(PreviousRay(Incident)))], "I ray", "The next (previous) ray from the eye, if the pixel has several."),
         row(Tree, false, &[(ch('g'), A::Step(Start)), (ch('G'), A::Step(StepCommand::End)), (key(Home), A::Step(Start)), (key(End), A::Step(StepCommand::End))], "start, end", "To the first event, to the last."),
-        row(Tree, false, &[(ch(':'), A::GoTo)], "go to", "To the event whose number you type."),
+        row(Tree, false, &[(ch(':'), A::GoTo)], "go to", "To the event or the address that you type, such as 17 or /T/R."),
+        row(Tree, true, &[(ch('/'), A::Search)], "find", "Find the rays that satisfy a query, such as blocked:* or t < 0.1."),
+        row(Tree, false, &[(ch('h'), A::Samples)], "samples", "All samples of the pixel as a table, and their sum."),
+        row(Tree, false, &[(ch('d'), A::Compare)], "compare", "Compare with another pixel (X,Y), a setting or a bend (flag=value), or a file of ray trees."),
+        row(Tree, false, &[(ch('f'), A::FindNext(true)), (ch('F'), A::FindNext(false))], "next found", "To the next (previous) ray that satisfies the query."),
         row(Tree, true, &[(key(Tab), A::NextPane), (key(BackTab), A::PreviousPane)], "pane", "Give the arrow keys to the next (previous) pane."),
         row(Tree, true, &[(ch('z'), A::Zoom)], "zoom", "The focused pane on the whole screen, and back."),
         row(Tree, false, &[(key(Down), A::Rows(1)), (key(Up), A::Rows(-1)), (ch('j'), A::Rows(1)), (ch('k'), A::Rows(-1))],
@@ -74,8 +87,9 @@ pub const ACTIONS: &[Binding] = {
         row(Tree, false, &[(ch('v'), A::View)], "view", "Look at the scene from the top, the front, the side."),
         row(Tree, false, &[(key(Enter), A::Step(Over))], "over", "As o."),
 
-        row(Prompt, true, &[(key(Enter), A::Accept)], "go", "Go to the event with this number."),
-        row(Prompt, true, &[(key(Backspace), A::Erase)], "erase", "Delete the last digit."),
+        row(Prompt, true, &[(key(Enter), A::Accept)], "go", "Go there, or search for it."),
+        row(Prompt, true, &[(key(Down), A::Ready(true)), (key(Up), A::Ready(false))], "examples", "The next (previous) of some queries to begin with."),
+        row(Prompt, true, &[(key(Backspace), A::Erase)], "erase", "Delete the last letter."),
 
         row(Effects, true, &[(key(Down), A::Choose(1)), (key(Up), A::Choose(-1)), (ch('j'), A::Choose(1)), (ch('k'), A::Choose(-1))],
             "choose", "To the next (previous) effect."),
@@ -85,6 +99,12 @@ pub const ACTIONS: &[Binding] = {
         row(Always, true, &[(ch('e'), A::Effects)], "effects", "Which effects the scene calls for, and why; each can be left out."),
         row(Always, true, &[(ch('c'), A::Convergence)], "convergence",
             "How the pixel under the cursor nears its value with more samples: a chart that grows."),
+        row(Always, false, &[(ch('='), A::Set)], "set", "Change a setting, such as samples=16 or fresnel=none: the picture follows."),
+        row(Always, false, &[(ch(']'), A::MoreSamples(true, true)), (ch('['), A::MoreSamples(true, false))], "light samples", "Twice (half) as many samples of lights with an area."),
+        row(Always, false, &[(ch('}'), A::MoreSamples(false, true)), (ch('{'), A::MoreSamples(false, false))], "samples", "Twice (half) as many samples of a pixel."),
+        row(Always, false, &[(ch('+'), A::NextSeed)], "seed", "Other random numbers."),
+        row(Always, false, &[(ch('U'), A::Undo)], "undo", "Take the last change of a setting back."),
+        row(Always, false, &[(ch('y'), A::Copy)], "copy", "Copy the command that opens the debugger here again (if the terminal allows it), and show it."),
         row(Always, false, &[(ch('w'), A::Warnings)], "warnings", "What of the scene can hardly be meant, and what to do."),
         row(Always, false, &[(ch('m'), A::Mouse)], "mouse", "Leave the mouse to the terminal, to select text, or take it again."),
         row(Always, true, &[(ch('?'), A::Help)], "help", "This list."),

@@ -1,5 +1,7 @@
 //! Messages that change the model, and jobs that it asks of the worker.
 
+use std::time::Instant;
+
 use crossterm::event::KeyEvent;
 use ratatui::layout::{Position, Rect};
 
@@ -22,6 +24,8 @@ pub enum Message {
     Resize(Rect),
     /// The worker has done something.
     Output(JobOutput),
+    /// Time has passed.
+    Tick(Instant),
 }
 
 /// A mouse event.
@@ -48,6 +52,10 @@ pub enum Job {
     Converge,
     /// No more samples.
     CancelConverge,
+    /// Search the picture for the query.
+    Search,
+    /// No more search.
+    CancelSearch,
 }
 
 /// A result of a job.
@@ -62,4 +70,8 @@ pub enum JobOutput {
     Converged(Pixel),
     /// No more samples will come, and why.
     ConvergenceEnd(&'static str),
+    /// Pixels that satisfy the query, among the next so many.
+    Found(Vec<(u32, u32)>, u64),
+    /// The whole picture was searched.
+    Searched,
 }

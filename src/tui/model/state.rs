@@ -10,9 +10,13 @@ use super::layout::{Pane, Panes, Shown, inside};
 use super::message::Job;
 use super::options::Options;
 use super::placement::Placement;
-use crate::debug::{Axis, Convergence, ObjectOutline, PartialPicture, Session, outlines};
+use crate::debug::{Axis, Convergence, ObjectOutline, PartialPicture, Search, Session, outlines};
+use crate::lab::show::ShowMode;
 use crate::scene::effects::{Finding, findings};
-use crate::scene::{Settings, Warning};
+use crate::scene::{Settings, Warning, view_command};
+use crate::trace::Address;
+use crate::trace::address::{AddressPart, path_of};
+use crate::trace::facts::TreePath;
 use crate::world::World;
 
 /// What lies over the panes.
@@ -22,10 +26,25 @@ pub enum Overlay {
     Help(u16),
     /// The warnings, from this line on.
     Warnings(u16),
-    /// The number of an event is typed.
-    GoTo(String),
+    /// A text with its title, from this line on.
+    Report(&'static str, String, u16),
+    /// A text is typed.
+    Prompt(Prompt, String),
     /// The effects, with this one chosen.
     Effects(usize),
+}
+
+/// What a text is typed for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Prompt {
+    /// To go to an event or an address.
+    GoTo,
+    /// To search for a query.
+    Search,
+    /// To change a setting.
+    Set,
+    /// To compare the open tree with another one.
+    Compare,
 }
 
 /// What the debugger asks of the program around it.
@@ -38,6 +57,17 @@ pub enum Request {
     Suspend,
     /// To end.
     Quit,
+}
+
+/// Steps that run by themselves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Play {
+    /// Whether forwards through the log, or backwards.
+    pub forward: bool,
+    /// Steps in a second.
+    pub speed: u32,
+    /// When the next one is due.
+    pub due: Instant,
 }
 
 /// What the user arranged on the screen.
@@ -69,6 +99,8 @@ pub struct Model {
     pub outlines: Vec<ObjectOutline>,
     /// The image.
     pub picture: PartialPicture,
+    /// What the picture shows in the place of colours.
+    pub show: Option<ShowMode>,
     /// What the pixel under the cursor shows.
     pub picked: String,
     /// The open tree.
@@ -77,12 +109,20 @@ pub struct Model {
     pub waiting: Option<Instant>,
     /// The convergence of the pixel under the cursor, if that is shown.
     pub convergence: Option<Convergence>,
+    /// Steps that run by themselves, if they do.
+    pub play: Option<Play>,
+    /// The query that is searched for.
+    pub search: Option<Search>,
     /// What lies over the panes.
     pub overlay: Option<Overlay>,
     /// What the user arranged.
     pub layout: LayoutState,
     /// One sentence for the user, until the next key.
     pub message: Option<String>,
+    /// The settings before each change, the last one at the end.
+    pub undone: Vec<Settings>,
+    /// What the terminal is asked to copy next.
+    pub clipboard: Option<String>,
     /// True if the mouse is caught.
     pub mouse: bool,
     /// What the main loop is asked to do next.
@@ -103,11 +143,16 @@ impl Model {
             mouse: options.mouse,
             options,
             picture: PartialPicture::default(),
+            show: None,
             picked: String::new(),
             session: None,
             waiting: None,
             convergence: None,
+            play: None,
+            search: None,
             overlay: None,
+            undone: Vec::new(),
+            clipboard: None,
             layout: LayoutState {
                 screen,
                 focus: Pane::Tree,
@@ -124,7 +169,7 @@ impl Model {
     /// What the keys mean at present.
     pub fn context(&self) -> Context {
         match (&self.overlay, &self.session) {
-            (Some(Overlay::GoTo(_)), _) => Context::Prompt,
+            (Some(Overlay::Prompt(..)), _) => Context::Prompt,
             (Some(Overlay::Effects(_)), _) => Context::Effects,
             (_, Some(_)) => Context::Tree,
             (_, None) => Context::Picture,
@@ -139,6 +184,29 @@ impl Model {
             warnings.extend(cuts.warning(&self.options.scene, &self.world.scene, &self.settings));
         }
         warnings
+    }
+
+    /// The command that opens the debugger at what is shown.
+    pub fn open_command(&self) -> String {
+        let mut address = Address {
+            scene: None,
+            pixel: self.picture.cursor,
+            path: TreePath::default(),
+            part: None,
+        };
+        if let Some(session) = &self.session {
+            address.pixel = (session.trace.x, session.trace.y);
+            let node = session.node();
+            address.path = node.map_or_else(TreePath::default, |n| path_of(session.view(), n));
+            address.part = Some(AddressPart::Event(session.cursor().position()));
+        }
+        let address = address.to_string();
+        view_command(
+            &self.options.scene,
+            &self.world.scene,
+            &self.settings,
+            &address,
+        )
     }
 
     /// The layout of the screen.

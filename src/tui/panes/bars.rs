@@ -5,14 +5,18 @@ use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
 
-use super::text::{shortened, write};
+use super::text::{columns, shortened, write};
 use super::theme;
 use crate::debug::effects::deviations;
+use crate::lab::show::{ShowMode, ShownRange, ShownValue};
 use crate::math::Rgb;
 use crate::scene::trace_command;
-use crate::trace::format::num;
+use crate::trace::format::{counted, num};
 use crate::tui::model::bindings::ACTIONS;
-use crate::tui::model::{Context, Model, Overlay};
+use crate::tui::model::{Context, Model, Overlay, Prompt};
+
+/// What stands at the end of the hints if there are more.
+const MORE: &str = " ... ?";
 
 /// How long a pixel may take before a spinner turns, in milliseconds.
 const PATIENCE: u128 = 100;
@@ -34,7 +38,8 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         trace.pixel.color * session.settings.image.exposure,
         model.options.color,
     ));
-    line.push_span(format!(" sRGB ({r}, {g}, {b})  {} rays", trace.pixel.rays));
+    let rays = counted(trace.pixel.rays, "ray");
+    line.push_span(format!(" sRGB ({r}, {g}, {b})  {rays}"));
     if trace.tree.dropped > 0 {
         let text = format!(
             "  the log is full: {} events were not kept",
@@ -58,7 +63,10 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
     warned(&mut line, model);
     remark(&mut line, deviations(&model.settings, &model.findings));
     match model.picture.exact((x, y)) {
-        Some(color) => {
+        Some(value) if model.show.is_some() => {
+            line.push_span(Span::raw(shown(model, value)).bold());
+        }
+        Some(ShownValue::Color(color)) => {
             let shown = color * model.settings.image.exposure;
             let [r, g, b] = shown.to_srgb8();
             line.push_span(theme::swatch(shown, model.options.color));
@@ -72,9 +80,13 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
                 " sRGB ({r}, {g}, {b})  linear ({lr}, {lg}, {lb})  "
             ));
         }
-        None => line.push_span("rendering ...  "),
+        _ => line.push_span("rendering ...  "),
     }
     line.push_span(Span::raw(model.picked.clone()));
+    if let Some(search) = &model.search {
+        line.push_span("  ");
+        line.push_span(Span::raw(search.told((x, y))).bold());
+    }
     if area.height >= 1 {
         write(buffer, area.x, area.y, &line, area.width);
     }
@@ -82,6 +94,17 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
         let mut again = Line::from(Span::raw(format!(" {}", rerun(model))).style(theme::dim()));
         again.push_span(busy(model));
         write(buffer, area.x, area.y + 1, &again, area.width);
+    }
+}
+
+/// What the pixel shows in the place of its colour, and the range of the picture.
+fn shown(model: &Model, value: ShownValue) -> String {
+    let mode = model.show.map_or("", ShowMode::unit);
+    match (value, model.picture.range()) {
+        (ShownValue::Number(x), Some(ShownRange(least, most))) => {
+            format!("{mode}: {} of {} to {}  ", num(x), num(least), num(most))
+        }
+        _ => format!("{mode}  "),
     }
 }
 
@@ -135,20 +158,36 @@ pub fn rerun(model: &Model) -> String {
     )
 }
 
+/// A prompt with what was typed; where something is told about it, in few words.
+fn asked(model: &Model, prompt: Prompt, text: &str) -> String {
+    let is_short = model.message.is_some();
+    let label = match (prompt, &model.session) {
+        (Prompt::Search, _) => "find".to_owned(),
+        (Prompt::GoTo, _) if is_short => "go to".to_owned(),
+        (Prompt::GoTo, Some(session)) => {
+            let last = session.tree().events.len().saturating_sub(1);
+            format!("event (0 to {last}) or address")
+        }
+        (Prompt::GoTo, None) => "pixel or address".to_owned(),
+        (Prompt::Set, _) if is_short => "set".to_owned(),
+        (Prompt::Set, _) => "set (flag=value)".to_owned(),
+        (Prompt::Compare, _) if is_short => "compare".to_owned(),
+        (Prompt::Compare, _) => "compare with X,Y, flag=value or a file".to_owned(),
+    };
+    format!(" {label}: {text}▏ ")
+}
+
 /// What the keys do here, as many as there is room for.
 pub fn hint(model: &Model, area: Rect, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
     }
     let mut line = Line::default();
-    if let Some(Overlay::GoTo(digits)) = &model.overlay {
-        let last = model
-            .session
-            .as_ref()
-            .map_or(0, |s| s.tree().events.len().saturating_sub(1));
-        line.push_span(Span::raw(format!(" event (0 to {last}): {digits}▏ ")).bold());
-    } else if let Some(message) = &model.message {
-        line.push_span(Span::raw(format!(" {message}")).bold());
+    if let Some(Overlay::Prompt(prompt, text)) = &model.overlay {
+        line.push_span(Span::raw(asked(model, *prompt, text)).bold());
+    }
+    if let Some(message) = &model.message {
+        line.push_span(Span::raw(format!(" {message} ")).bold());
     }
     let context = model.context();
     let here = |c: Context| c == context || c == Context::Always;
@@ -166,7 +205,10 @@ pub fn hint(model: &Model, area: Rect, buffer: &mut Buffer) {
         };
         let key = Span::styled(format!(" {}", binding.short_label()), theme::keycap());
         let name = Span::raw(format!(" {name} "));
-        if line.width() + key.width() + name.width() > usize::from(area.width) {
+        // Where keys are left out, that is said.
+        let room = usize::from(area.width).saturating_sub(columns(MORE));
+        if line.width() + key.width() + name.width() > room {
+            line.push_span(Span::raw(MORE).style(theme::dim()));
             break;
         }
         line.push_span(key);

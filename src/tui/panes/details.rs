@@ -57,6 +57,13 @@ pub fn lines(session: &Session, level: ColorLevel, width: u16) -> Vec<Line<'stat
             lines.push(line);
         }
     }
+    let source = explanation.source;
+    if !source.file.is_empty() {
+        let told = format!("code: {} in {}", source.function, source.file);
+        lines.push(Line::default());
+        let told = wrap(&told, width).into_iter();
+        lines.extend(told.map(|line| Line::from(Span::raw(line).style(theme::dim()))));
+    }
     lines
 }
 

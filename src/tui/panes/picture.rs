@@ -4,18 +4,31 @@ use ratatui::buffer::Buffer;
 use ratatui::style::{Color, Modifier, Style};
 
 use super::theme;
+use crate::debug::Search;
+use crate::lab::show::{ShownRange, ShownValue};
 use crate::math::Rgb;
 use crate::tracer::image::ColorLevel;
 use crate::tracer::image::terminal::ramp;
 use crate::tui::model::Model;
 use crate::tui::model::placement::Placement;
 
+/// How much darker the pixels are that a search has not found.
+const DARKER: f64 = 0.15;
+
 /// Draws the picture and the marks around the pixel under the cursor.
 pub fn draw(model: &Model, placement: &Placement, buffer: &mut Buffer) {
     let cells = placement.cells;
+    let exposure = model.settings.image.exposure;
+    let range = model.picture.range().unwrap_or(ShownRange(0.0, 0.0));
     let color = |column, half| {
         let at = placement.half(column, half)?;
-        Some(model.picture.nearest(at)? * model.settings.image.exposure)
+        let color = match model.picture.nearest(at)? {
+            ShownValue::Color(color) if model.show.is_none() => color * exposure,
+            value => range.color(value),
+        };
+        let is_left_out = |search: &Search| search.is_found(at) == Some(false);
+        let is_left_out = model.search.as_ref().is_some_and(is_left_out);
+        Some(if is_left_out { color * DARKER } else { color })
     };
     for row in 0..cells.height {
         for column in 0..cells.width {

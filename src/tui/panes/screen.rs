@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, BorderType, Widget};
 
 use super::{
-    bars, convergence, details, effects, help, paths, picture, steps, theme, tree, warnings,
+    bars, convergence, details, effects, help, paths, picture, report, steps, theme, tree, warnings,
 };
 use crate::debug::Session;
 use crate::tui::model::{Model, Pane, Panes, inside};
@@ -32,6 +32,7 @@ pub fn draw(model: &Model, screen: Rect, buffer: &mut Buffer) {
     convergence::draw(model, &panes, buffer);
     effects::draw(model, screen, buffer);
     warnings::draw(model, screen, buffer);
+    report::draw(model, screen, buffer);
     help::draw(model, screen, buffer);
     bars::hint(model, panes.hint, buffer);
     theme::quantize_colors(buffer, model.options.color);

@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span};
 
 use super::text::write;
 use super::theme;
+use crate::debug::steps::visited_and_tested;
 use crate::debug::{Session, StepKind, StepText};
 use crate::tui::model::state::first_step;
 
@@ -19,7 +20,15 @@ pub fn title(session: &Session) -> Line<'static> {
         let (n, of) = (here - steps.start + 1, steps.len());
         return Line::raw(format!(" {kind} step {n} of {of} "));
     }
-    Line::raw(format!(" {kind}: {} steps ", steps.len()))
+    if steps.is_empty() {
+        return Line::raw(format!(" {kind} "));
+    }
+    let all = session.world.accel.stats().nodes;
+    let shapes = session.world.scene.shapes.len();
+    let (visited, tested) = visited_and_tested(session);
+    Line::raw(format!(
+        " {kind}: {visited} of {all} nodes, {tested} of {shapes} shapes "
+    ))
 }
 
 /// Draws the steps around the current one.

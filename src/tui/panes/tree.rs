@@ -8,6 +8,7 @@ use ratatui::text::{Line, Span};
 use super::text::write;
 use super::theme;
 use crate::debug::{RowText, Session, TreeRow, TreeRows};
+use crate::trace::format::counted;
 use crate::tracer::image::ColorLevel;
 use crate::tui::model::state::first_row;
 
@@ -19,7 +20,8 @@ const COLUMNS: usize = 24;
 
 /// Its title.
 pub fn title(session: &Session) -> Line<'static> {
-    Line::raw(format!(" ray tree: {} rays ", session.tree().nodes.len()))
+    let rays = counted(session.tree().nodes.len() as u64, "ray");
+    Line::raw(format!(" ray tree: {rays} "))
 }
 
 /// The rows around the current one that a pane of `height` rows shows, with their numbers.

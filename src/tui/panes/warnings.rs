@@ -1,31 +1,20 @@
 //! Panel of warnings: what of the scene can hardly be meant, each with its cure.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::{Constraint, Rect};
+use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
-use ratatui::widgets::{Block, BorderType, Clear, Widget};
 
-use super::text::{wrap, write};
-use super::theme;
-use crate::tui::model::{Model, Overlay, inside};
+use super::text::wrap;
+use super::{text_box, theme};
+use crate::tui::model::{Model, Overlay};
 
 /// How far a cure stands in.
 const INDENT: usize = 2;
 
-fn area(model: &Model, screen: Rect) -> Rect {
-    let width = screen.width.min(84);
-    let lines = lines(model, width.saturating_sub(2)).len() as u16;
-    screen.centered(
-        Constraint::Length(width),
-        Constraint::Length(screen.height.min(lines.saturating_add(2))),
-    )
-}
-
 /// How far the warnings can be scrolled.
 pub fn last_scroll(model: &Model, screen: Rect) -> u16 {
-    let room = inside(area(model, screen));
-    (lines(model, room.width).len() as u16).saturating_sub(room.height)
+    text_box::last_scroll(screen, lines(model, text_box::room(screen, 0)).len())
 }
 
 /// All lines: of each warning what is strange, then what to do.
@@ -58,17 +47,7 @@ pub fn draw(model: &Model, screen: Rect, buffer: &mut Buffer) {
     let Some(Overlay::Warnings(scroll)) = model.overlay else {
         return;
     };
-    let area = area(model, screen);
-    Clear.render(area, buffer);
-    let title = Line::from(" warnings (↓ ↑ scroll, q closes) ").bold();
-    Block::bordered()
-        .border_type(BorderType::Double)
-        .title(title)
-        .render(area, buffer);
-    let room = inside(area);
-    let lines = lines(model, room.width);
-    let first = usize::from(scroll.min(last_scroll(model, screen)));
-    for (y, line) in (room.y..room.bottom()).zip(lines.iter().skip(first)) {
-        write(buffer, room.x, y, line, room.width);
-    }
+    let width = text_box::room(screen, 0);
+    let lines = lines(model, width);
+    text_box::draw("warnings", &lines, (width, scroll), screen, buffer);
 }

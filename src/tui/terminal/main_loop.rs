@@ -60,7 +60,7 @@ fn main_loop(screen: &mut Screen, program: &mut Program) -> io::Result<()> {
             draw(screen, program)?;
             (drawn, changed) = (Some(Instant::now()), false);
         }
-        let wait = if program.is_busy() || changed {
+        let wait = if program.is_busy() || changed || program.model.play.is_some() {
             TICK
         } else {
             IDLE
@@ -75,6 +75,14 @@ fn main_loop(screen: &mut Screen, program: &mut Program) -> io::Result<()> {
             program.model.request = Request::Stay;
             screen.suspend()?;
             answer = true;
+        }
+        if let Some(text) = program.model.clipboard.take() {
+            screen.copy(&text)?;
+        }
+        if program.model.play.is_some() {
+            let before = program.model.session.as_ref().map(|s| s.cursor());
+            program.send(Message::Tick(Instant::now()));
+            changed |= program.model.session.as_ref().map(|s| s.cursor()) != before;
         }
         changed |= program.receive() | program.model.waiting.is_some();
         if answer && program.model.request != Request::Quit {

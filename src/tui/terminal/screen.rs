@@ -5,6 +5,7 @@ use std::panic;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use crossterm::clipboard::CopyToClipboard;
 use crossterm::cursor::{Hide, Show};
 use crossterm::event::{DisableMouseCapture, EnableMouseCapture};
 use crossterm::terminal::{
@@ -75,8 +76,13 @@ impl Drop for Screen {
         let _ = self.terminal.backend_mut().flush();
         give_back();
         #[cfg(unix)]
-        if self.signals.quit.load(Ordering::Relaxed) {
-            let _ = signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGQUIT);
+        match self.signals.end.load(Ordering::Relaxed) {
+            0 => {}
+            // Whoever sent the signal sees that it ended the program.
+            signal => {
+                let number = i32::try_from(signal).unwrap_or(signal_hook::consts::SIGTERM);
+                let _ = signal_hook::low_level::emulate_default_handler(number);
+            }
         }
     }
 }
@@ -130,8 +136,7 @@ impl Screen {
 
     /// True if someone wants the program to end.
     pub fn is_told_to_stop(&self) -> bool {
-        let Signals { end, quit, .. } = &self.signals;
-        end.load(Ordering::Relaxed) || quit.load(Ordering::Relaxed)
+        self.signals.end.load(Ordering::Relaxed) != 0
     }
 
     /// Does what signals to stop and to go on ask for. True if the screen must be drawn anew.
@@ -175,6 +180,12 @@ impl Screen {
         self.terminal
             .draw(|frame| panes::draw(model, frame.area(), frame.buffer_mut()))?;
         execute!(self.terminal.backend_mut(), EndSynchronizedUpdate)
+    }
+
+    /// Asks the terminal to copy a text (OSC 52); some do, some ask their user, some do not.
+    pub fn copy(&mut self, text: &str) -> io::Result<()> {
+        let copy = CopyToClipboard::to_clipboard_from(text);
+        execute!(self.terminal.backend_mut(), copy)
     }
 
     /// Stops the program as a shell's Ctrl-Z does, and takes the terminal over again when it goes on.

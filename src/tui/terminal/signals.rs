@@ -2,7 +2,7 @@
 
 use std::io;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 /// How often is looked whether the terminal is still there.
 #[cfg(unix)]
@@ -11,10 +11,8 @@ const HANGUP: std::time::Duration = std::time::Duration::from_millis(250);
 /// What signals from outside ask for: flags that they set.
 #[derive(Clone, Default)]
 pub struct Signals {
-    /// To end.
-    pub end: Arc<AtomicBool>,
-    /// To end as a program that went wrong (SIGQUIT).
-    pub quit: Arc<AtomicBool>,
+    /// To end: the number of the signal, 0 for none.
+    pub end: Arc<AtomicUsize>,
     /// To stop until it is told to go on.
     pub stop: Arc<AtomicBool>,
     /// To go on after a stop of which it was not told.
@@ -27,14 +25,10 @@ impl Signals {
     pub fn watch() -> io::Result<Self> {
         use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
         let signals = Self::default();
-        for (signal, flag) in [
-            (SIGTERM, &signals.end),
-            (SIGHUP, &signals.end),
-            (SIGINT, &signals.end),
-            (SIGQUIT, &signals.quit),
-            (SIGTSTP, &signals.stop),
-            (SIGCONT, &signals.go_on),
-        ] {
+        for signal in [SIGTERM, SIGHUP, SIGINT, SIGQUIT] {
+            signal_hook::flag::register_usize(signal, Arc::clone(&signals.end), signal as usize)?;
+        }
+        for (signal, flag) in [(SIGTSTP, &signals.stop), (SIGCONT, &signals.go_on)] {
             signal_hook::flag::register(signal, Arc::clone(flag))?;
         }
         Ok(signals)

@@ -1,5 +1,6 @@
 //! Worker: jobs on threads of their own. A new job of a kind stops the one before, whose results are dropped.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -7,6 +8,7 @@ use std::thread;
 
 use crate::debug::convergence::measure;
 use crate::debug::{Session, progressive};
+use crate::lab::find::find;
 use crate::tracer::thread_pool;
 use crate::tui::model::{Job, JobOutput, Model};
 
@@ -48,6 +50,7 @@ pub struct Worker {
     picture: Option<Running>,
     trace: Option<Running>,
     convergence: Option<Running>,
+    search: Option<Running>,
 }
 
 impl Worker {
@@ -62,6 +65,7 @@ impl Worker {
             picture: None,
             trace: None,
             convergence: None,
+            search: None,
         }
     }
 
@@ -73,6 +77,8 @@ impl Worker {
             Job::CancelTrace => self.trace = None,
             Job::Converge => self.convergence = Some(self.converge(model)),
             Job::CancelConverge => self.convergence = None,
+            Job::Search => self.search = self.search(model),
+            Job::CancelSearch => self.search = None,
         }
     }
 
@@ -96,10 +102,18 @@ impl Worker {
     fn render(&mut self, model: &Model) -> Running {
         let (world, settings) = (Arc::clone(&model.world), model.settings);
         let (missing, threads) = (model.picture.missing(), self.threads);
+        let mode = model.show;
         self.spawn(move |channel| {
             let stopped = || channel.is_stopped();
             let tell = |pixels| channel.send(JobOutput::Pixels(pixels));
-            if progressive::render(&world, &settings, &missing, threads, &stopped, &tell) {
+            if progressive::render(
+                (&world, &settings),
+                mode,
+                &missing,
+                threads,
+                &stopped,
+                &tell,
+            ) {
                 channel.send(JobOutput::Rendered);
             }
         })
@@ -129,9 +143,30 @@ impl Worker {
         })
     }
 
+    /// Searches the picture for the query, if there is one.
+    fn search(&mut self, model: &Model) -> Option<Running> {
+        let query = model.search.as_ref()?.query.clone();
+        let (world, settings) = (Arc::clone(&model.world), model.settings);
+        let threads = self.threads;
+        let running = self.spawn(move |channel| {
+            let watch = |pixels: &[(u32, u32)], searched| {
+                channel.send(JobOutput::Found(pixels.to_vec(), searched));
+                if channel.is_stopped() {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            };
+            if find(&world, &settings, &query, usize::MAX, threads, &watch).complete {
+                channel.send(JobOutput::Searched);
+            }
+        });
+        Some(running)
+    }
+
     /// True while any job runs.
     pub fn is_working(&self) -> bool {
-        [&self.picture, &self.trace, &self.convergence]
+        [&self.picture, &self.trace, &self.convergence, &self.search]
             .into_iter()
             .any(Option::is_some)
     }
@@ -151,6 +186,8 @@ impl Worker {
                 JobOutput::Traced(_) => (&mut self.trace, true),
                 JobOutput::Converged(_) => (&mut self.convergence, false),
                 JobOutput::ConvergenceEnd(_) => (&mut self.convergence, true),
+                JobOutput::Found(..) => (&mut self.search, false),
+                JobOutput::Searched => (&mut self.search, true),
             };
             if job.as_ref().is_some_and(|job| job.ticket == ticket) {
                 if is_last {

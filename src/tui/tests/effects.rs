@@ -21,7 +21,7 @@ fn is_as_set(app: &Program) {
     let (width, height) = app.model.picture.size;
     for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
         let traced = pixel(&app.model.world, &app.model.settings, at, &mut Silent).color;
-        assert_eq!(app.model.picture.exact(at), Some(traced), "{at:?}");
+        assert_eq!(app.model.picture.color(at), Some(traced), "{at:?}");
     }
 }
 

@@ -42,7 +42,7 @@ fn situations(context: Context) -> Vec<Program> {
     match context {
         Context::Picture | Context::Always => vec![app(80, 24)],
         Context::Tree => vec![at("gnt"), at("gn ")],
-        Context::Prompt => vec![at(":7")],
+        Context::Prompt => vec![at(":7"), at("/t"), at("="), at("d")],
         Context::Effects => vec![at("e"), at("ej")],
     }
 }

@@ -19,13 +19,13 @@ fn the_picture_is_that_of_the_tracer() {
     let check = |app: &Program| {
         let (width, height) = app.model.picture.size;
         for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-            if let Some(shown) = app.model.picture.exact(at) {
+            if let Some(shown) = app.model.picture.color(at) {
                 let traced = pixel(&app.model.world, &app.model.settings, at, &mut Silent).color;
                 assert_eq!(shown, traced, "{at:?}");
             }
         }
     };
-    // Sizes change while it renders: what was rendered of an older image must not be taken for this one.
+    // Windows change while it renders: the picture stays, another part of it is seen.
     for (width, height) in [(50, 20), (44, 15)] {
         std::thread::sleep(Duration::from_millis(100));
         app.resize(Rect::new(0, 0, width, height));
@@ -33,8 +33,12 @@ fn the_picture_is_that_of_the_tracer() {
         check(&app);
     }
     settle(&mut app);
-    assert_eq!(app.model.picture.size, (44, 24));
+    assert_eq!(app.model.picture.size, (60, 34));
     assert_eq!(app.model.picture.progress(), 1.0);
+    check(&app);
+    let mut app = app_with(44, 15, |_| ());
+    settle(&mut app);
+    assert_eq!(app.model.picture.size, (44, 24));
     check(&app);
     // Each half cell is one pixel.
     let drawn = buffer(&app);
@@ -44,8 +48,8 @@ fn the_picture_is_that_of_the_tracer() {
     };
     let cell = &drawn[(3, 5)];
     assert_eq!(cell.symbol(), "▀");
-    assert_eq!(Some(cell.fg), app.model.picture.exact((3, 10)).map(color));
-    assert_eq!(Some(cell.bg), app.model.picture.exact((3, 11)).map(color));
+    assert_eq!(Some(cell.fg), app.model.picture.color((3, 10)).map(color));
+    assert_eq!(Some(cell.bg), app.model.picture.color((3, 11)).map(color));
 }
 
 #[test]
@@ -62,7 +66,7 @@ fn an_image_larger_than_the_screen_is_seen_through_a_window() {
     let at = app.model.picture.cursor;
     assert_eq!(at, (0, 100));
     let traced = pixel(&app.model.world, &app.model.settings, at, &mut Silent).color;
-    assert_eq!(app.model.picture.exact(at), Some(traced));
+    assert_eq!(app.model.picture.color(at), Some(traced));
 }
 
 #[test]

@@ -87,18 +87,19 @@ fn back_undoes_step_on_the_screen() {
 #[test]
 fn a_number_goes_to_an_event() {
     let mut app = opened(80, 24);
-    keys(&mut app, ":1x7");
+    keys(&mut app, ":17");
     assert!(text(&app).contains("event (0 to"), "{}", text(&app));
     key(&mut app, KeyCode::Enter);
     assert_eq!(position(&app), 17);
+    // Beyond the last one it stays, and says so.
     keys(&mut app, ":999999999");
     key(&mut app, KeyCode::Enter);
-    let last = app
-        .model
-        .session
-        .as_ref()
-        .map_or(0, |s| s.tree().events.len() - 1);
-    assert_eq!(position(&app), last);
+    assert_eq!(position(&app), 17);
+    assert!(
+        text(&app).contains("there is no event 999999999"),
+        "{}",
+        text(&app)
+    );
 }
 
 #[test]

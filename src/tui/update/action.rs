@@ -1,12 +1,16 @@
 //! Actions of the table of keys.
 
-use super::{convergence, effects, image, rows};
-use crate::tui::model::{Action, Job, Model, Overlay, Request, inside};
+use super::{convergence, effects, image, play, prompt, rows, search, set};
+use crate::tui::model::{Action, Job, Model, Overlay, Prompt, Request, inside};
 
 /// Does what a user asks for.
 pub fn act(model: &mut Model, action: Action) {
     model.message = None;
+    if !matches!(action, Action::Play(_)) {
+        model.play = None;
+    }
     match action {
+        Action::Play(forward) => play::play(model, forward),
         Action::Quit => model.request = Request::Quit,
         Action::Suspend => model.request = Request::Suspend,
         Action::Back => back(model),
@@ -26,7 +30,11 @@ pub fn act(model: &mut Model, action: Action) {
         Action::Rows(by) | Action::Move(_, by) if rows::scroll_text(model, by) => {}
         Action::Pages(by) if rows::scroll_text(model, by * 10) => {}
         // Any other key closes the text, and does no more.
-        _ if matches!(model.overlay, Some(Overlay::Help(_) | Overlay::Warnings(_))) => {
+        _ if matches!(
+            model.overlay,
+            Some(Overlay::Help(_) | Overlay::Warnings(_) | Overlay::Report(..))
+        ) =>
+        {
             model.overlay = None;
         }
         Action::Effects => effects::show_or_hide(model),
@@ -41,7 +49,29 @@ pub fn act(model: &mut Model, action: Action) {
             }
         }
         Action::Open => image::open(model),
+        Action::GoTo => prompt::ask(model, Prompt::GoTo),
+        Action::Search => prompt::ask(model, Prompt::Search),
+        Action::Set => prompt::ask(model, Prompt::Set),
+        Action::Samples => samples(model),
+        Action::Compare => prompt::ask(model, Prompt::Compare),
+        Action::MoreSamples(of_lights, more) => set::samples(model, of_lights, more),
+        Action::NextSeed => set::next_seed(model),
+        Action::Undo => set::undo(model),
+        Action::Ready(next) => prompt::ready(model, next),
+        Action::Erase => prompt::erase(model),
+        Action::Accept => prompt::accept(model),
+        Action::FindNext(forward) => search::next(model, forward),
+        Action::Copy => prompt::copy(model),
+        Action::Show(next) => image::show(model, next),
         _ => in_tree(model, action),
+    }
+}
+
+/// Shows the samples of the pixel.
+fn samples(model: &mut Model) {
+    if let Some(session) = &model.session {
+        let text = crate::debug::samples::samples(session);
+        model.overlay = Some(Overlay::Report("samples of the pixel", text, 0));
     }
 }
 
@@ -53,13 +83,6 @@ fn in_tree(model: &mut Model, action: Action) {
         Action::Zoom => layout.zoom = !layout.zoom,
         Action::NextPane => layout.focus = layout.focus.next(true),
         Action::PreviousPane => layout.focus = layout.focus.next(false),
-        Action::GoTo => model.overlay = Some(Overlay::GoTo(String::new())),
-        Action::Erase => {
-            if let Some(Overlay::GoTo(digits)) = &mut model.overlay {
-                digits.pop();
-            }
-        }
-        Action::Accept => accept(model),
         Action::Rows(by) => rows::move_by(model, by),
         Action::Pages(by) => {
             let page = inside(model.panes().area(model.layout.focus)).height.max(2) - 1;
@@ -96,6 +119,8 @@ fn back(model: &mut Model) {
         model.layout.zoom = false;
     } else if model.session.take().is_some() {
         image::refit(model);
+    } else if model.search.is_some() {
+        search::end(model);
     } else {
         model.request = Request::Quit;
     }
@@ -109,14 +134,4 @@ fn catch_mouse(model: &mut Model) {
         "the mouse is the terminal's: select text with it; m takes it back"
     };
     model.message = Some(text.to_owned());
-}
-
-/// Goes to the event whose number was typed.
-fn accept(model: &mut Model) {
-    if let Some(Overlay::GoTo(digits)) = model.overlay.take()
-        && let Some(session) = &mut model.session
-        && let Ok(number) = digits.parse::<usize>()
-    {
-        session.go_to_event(number);
-    }
 }

@@ -2,13 +2,15 @@
 
 #[cfg(test)]
 use super::action;
-use super::{image, keys, mouse, output};
+use super::{image, keys, mouse, output, play};
 use crate::tui::model::{Message, Model};
 
 /// Fits the picture to the screen and begins to render it.
 pub fn start(model: &mut Model) {
     image::fit(model);
     let (width, height) = model.picture.size;
+    // From now on it stays: another window shows another part of it, and the same pixels.
+    model.options.size = Some((width, height));
     model.picture.cursor = (width / 2, height / 2);
     let at = model.options.at.as_ref().map(|at| at.pixel);
     let is_inside = |(x, y): &(u32, u32)| *x < width && *y < height;
@@ -37,6 +39,7 @@ pub fn update(model: &mut Model, message: Message) -> bool {
         Message::Mouse(mouse, at) => mouse::point(model, mouse, at),
         Message::Resize(screen) => image::resize(model, screen),
         Message::Output(output) => output::take_in(model, output),
+        Message::Tick(now) => play::tick(model, now),
     }
     if position(model) != before {
         model.layout.scroll = 0;

@@ -3,9 +3,11 @@
 use std::time::Instant;
 
 use ratatui::layout::Rect;
+use strum::VariantArray as _;
 
 use super::convergence;
 use crate::debug::pick::description;
+use crate::lab::show::ShowMode;
 use crate::tui::model::layout::Shown;
 use crate::tui::model::{Job, Model, Panes};
 
@@ -21,6 +23,7 @@ pub fn resize(model: &mut Model, screen: Rect) {
 pub fn refit(model: &mut Model) {
     if model.session.is_none() && fit(model) {
         render(model);
+        search_again(model);
         look(model);
     }
 }
@@ -62,10 +65,36 @@ pub fn moved(model: &mut Model) {
 pub fn redo(model: &mut Model) {
     model.picture.forget();
     render(model);
+    search_again(model);
     look(model);
     if model.session.is_some() || model.waiting.is_some() {
         open(model);
     }
+}
+
+/// Searches the picture anew: it is another one.
+fn search_again(model: &mut Model) {
+    if let Some(search) = &model.search {
+        model.search = Some(search.again(model.picture.size.0));
+        model.jobs.push(Job::Search);
+    }
+}
+
+/// Shows the next (previous) thing in the place of colours; before the first and behind the last come the colours.
+pub fn show(model: &mut Model, next: bool) {
+    let modes = ShowMode::VARIANTS;
+    let at = model
+        .show
+        .and_then(|mode| modes.iter().position(|m| *m == mode));
+    let at = match (at, next) {
+        (None, true) => Some(0),
+        (None, false) => modes.len().checked_sub(1),
+        (Some(at), true) => Some(at + 1),
+        (Some(at), false) => at.checked_sub(1),
+    };
+    model.show = at.and_then(|at| modes.get(at)).copied();
+    model.picture.forget();
+    render(model);
 }
 
 /// Picks the object behind the pixel under the cursor, and begins its convergence anew if that is shown.

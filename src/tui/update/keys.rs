@@ -1,10 +1,11 @@
-//! Keys: what the table says, or a digit where a number is asked for.
+//! Keys: what the table says, or a letter where a text is asked for.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::action::act;
+use super::prompt;
 use crate::tui::model::bindings::lookup;
-use crate::tui::model::{Context, Model, Overlay};
+use crate::tui::model::{Context, Model};
 
 /// A key was pressed. False if it means nothing here.
 pub fn press(model: &mut Model, key: KeyEvent) -> bool {
@@ -16,22 +17,14 @@ pub fn press(model: &mut Model, key: KeyEvent) -> bool {
         }
         _ => key,
     };
-    match (lookup(model.context(), key), key.code) {
-        (None, KeyCode::Char(letter)) if model.context() == Context::Prompt => {
-            typed(model, letter);
-        }
-        (Some(action), _) => act(model, action),
-        (None, _) => return false,
+    // Where a text is typed, letters are letters.
+    let is_text = !key
+        .modifiers
+        .intersects(KeyModifiers::CONTROL | KeyModifiers::ALT);
+    if let (Context::Prompt, KeyCode::Char(letter), true) = (model.context(), key.code, is_text) {
+        prompt::typed(model, letter);
+        return true;
     }
-    true
-}
-
-/// A letter was typed where a number is asked for.
-fn typed(model: &mut Model, letter: char) {
-    if let Some(Overlay::GoTo(digits)) = &mut model.overlay
-        && letter.is_ascii_digit()
-        && digits.len() < 9
-    {
-        digits.push(letter);
-    }
+    let action = lookup(model.context(), key);
+    action.inspect(|action| act(model, *action)).is_some()
 }

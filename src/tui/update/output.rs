@@ -1,14 +1,22 @@
 //! Results of the worker.
 
+use super::search;
+use crate::debug::progressive::DrawnPixel;
+use crate::lab::show::ShownValue;
 use crate::tui::model::{JobOutput, Model};
 
 /// Takes in a result.
 pub fn take_in(model: &mut Model, output: JobOutput) {
     match output {
         JobOutput::Pixels(pixels) => {
-            for (at, pixel) in pixels {
-                model.picture.set(at, pixel.color);
-                model.picture.cuts.add(at, &pixel);
+            for (at, drawn) in pixels {
+                match drawn {
+                    DrawnPixel::Pixel(pixel) => {
+                        model.picture.set(at, ShownValue::Color(pixel.color));
+                        model.picture.cuts.add(at, &pixel);
+                    }
+                    DrawnPixel::Shown(value) => model.picture.set(at, value),
+                }
             }
         }
         JobOutput::Rendered => {}
@@ -22,9 +30,13 @@ pub fn take_in(model: &mut Model, output: JobOutput) {
                 convergence.end = Some(end);
             }
         }
+        JobOutput::Found(pixels, searched) => search::found(model, &pixels, searched),
+        JobOutput::Searched => search::finished(model),
         JobOutput::Traced(mut session) => {
             if let Some(address) = model.options.at.take() {
                 model.message = session.go_to_address(&address).err();
+            } else if let Some(search) = &model.search {
+                session.find_first(&search.query);
             }
             model.session = Some(session);
             model.layout.scroll = 0;

@@ -1,7 +1,7 @@
 //! Moves by rows of the focused pane, and scrolling of the help and the warnings.
 
 use crate::tui::model::{Model, Overlay, Pane, inside};
-use crate::tui::panes::{details, help, warnings};
+use crate::tui::panes::{details, help, report, warnings};
 
 /// Goes down (up, if negative) by so many rows of the focused pane.
 pub fn move_by(model: &mut Model, by: i32) {
@@ -28,11 +28,14 @@ pub fn move_by(model: &mut Model, by: i32) {
 /// Scrolls the help or the warnings. False if neither is shown.
 pub fn scroll_text(model: &mut Model, by: i32) -> bool {
     let screen = model.layout.screen;
-    let last = match model.overlay {
+    let last = match &model.overlay {
         Some(Overlay::Help(_)) => help::last_scroll(screen),
+        Some(Overlay::Report(_, text, _)) => report::last_scroll(text, screen),
         _ => warnings::last_scroll(model, screen),
     };
-    let Some(Overlay::Help(scroll) | Overlay::Warnings(scroll)) = &mut model.overlay else {
+    let Some(Overlay::Help(scroll) | Overlay::Warnings(scroll) | Overlay::Report(_, _, scroll)) =
+        &mut model.overlay
+    else {
         return false;
     };
     *scroll = scroll.saturating_add_signed(by as i16).min(last);

@@ -10,7 +10,7 @@ fn signals_to_end_leave_nothing_behind() {
         let mut session = Session::raytree(&["view", "room"]);
         session.wait_for("raytree trace room");
         session.signal(signal);
-        session.end();
+        assert_ne!(session.end(), 0, "{signal} ended it, and a shell sees that");
     }
 }
 
@@ -32,6 +32,11 @@ fn a_signal_to_stop_gives_the_terminal_back_until_it_goes_on() {
         session.wait("the terminal given back", |s| {
             !s.alternate_screen() && !s.hide_cursor()
         });
+        // It leaves the raw mode last.
+        let start = std::time::Instant::now();
+        while session.is_raw() && start.elapsed().as_secs() < 20 {
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
         assert!(!session.is_raw());
         session.signal("CONT");
         session.wait("the debugger again", vt100::Screen::alternate_screen);

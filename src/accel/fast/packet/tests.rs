@@ -81,7 +81,7 @@ fn agreeing<T: PacketTree>(
     expected: &[Option<(u32, u64, [u64; 3])>],
 ) -> usize {
     let (mut closest, mut any) = ([None; PACKET_SIZE], [None; PACKET_SIZE]);
-    let scratch = &mut PacketScratch::default();
+    let scratch = &mut PacketScratch::new();
     let groups = rays.chunks(PACKET_SIZE).zip(expected.chunks(PACKET_SIZE));
     let together = groups.filter(|(rays, expected)| {
         let Some(_) = search_packet::<false, T>(isa, tree, shapes, rays, &mut closest, scratch)

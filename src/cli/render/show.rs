@@ -1,0 +1,46 @@
+//! `raytree render --show`: the work of each pixel, or what its eye ray meets, in the place of its colour.
+
+use super::{Completion, Failure, Render, files};
+use crate::cli::output::{self, Destination};
+use crate::lab::show::{ShowMode, ShownRange, ShownValue, show, summary};
+use crate::math::Rgb;
+use crate::scene::Settings;
+use crate::tracer::Film;
+use crate::tracer::image::terminal;
+use crate::world::World;
+
+impl Render {
+    /// Writes the picture of a mode: colours of a scale in PNG files and as text, the numbers themselves in PFM files.
+    pub fn write_shown(
+        &self,
+        mode: ShowMode,
+        (world, settings): (&World, &Settings),
+        picture: Option<Destination>,
+    ) -> Result<Completion, Failure> {
+        let values = show(world, settings, mode, self.scene.settings.threads);
+        let range = ShownRange::of(values.iter().copied()).unwrap_or(ShownRange(0.0, 0.0));
+        let is_pfm = |file: &Destination| file.path().extension().is_some_and(|e| e == "pfm");
+        let numbers = picture.as_ref().is_some_and(is_pfm);
+        let pixel = |value: &ShownValue| match value {
+            ShownValue::Number(x) if numbers => Rgb::grey(*x),
+            value => range.color(*value),
+        };
+        let (width, height) = settings.size();
+        let film = Film {
+            width,
+            height,
+            pixels: values.iter().map(pixel).collect(),
+            ..Film::default()
+        };
+        if let Some(file) = picture {
+            files::picture(file, &film, 1.0)?;
+        } else {
+            let text = terminal::lines(&film, 1.0, self.color.level());
+            output::to_stdout(text.as_bytes())?;
+        }
+        if let (false, Some(told)) = (self.scene.notices.quiet, summary(&values, mode)) {
+            eprint!("{told}");
+        }
+        Ok(Completion::Whole)
+    }
+}

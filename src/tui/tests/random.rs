@@ -1,0 +1,133 @@
+//! Keys, clicks, texts and windows by chance: nothing panics, and what was changed can be taken back.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::layout::{Position, Rect};
+
+use super::support::{app, buffer, keys, settle};
+use crate::tui::model::bindings::ACTIONS;
+use crate::tui::model::{Mouse, Request};
+use crate::tui::terminal::program::Program;
+
+/// Inputs of a run; with `RAYTREE_KEYS=n` that many.
+const INPUTS: u64 = 1200;
+
+/// `SplitMix64` (Steele, Lea and Flood 2014).
+fn next(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+const SIZES: [(u16, u16); 10] = [
+    (120, 36),
+    (80, 24),
+    (40, 10),
+    (160, 50),
+    (10, 6),
+    (1, 1),
+    (100, 30),
+    (72, 13),
+    (3, 3),
+    (200, 20),
+];
+
+const TEXTS: [&str; 9] = [
+    "tir\n",
+    "samples=2\n",
+    "depth=1\n",
+    "3,4\n",
+    "bend=far-root\n",
+    "\u{202e}é☃",
+    "hits:",
+    "99999\n",
+    "/R\n",
+];
+
+/// Does something that the number chooses.
+fn input(app: &mut Program, dice: u64) {
+    let press = |app: &mut Program, code| app.press(KeyEvent::new(code, KeyModifiers::NONE));
+    let choice = (dice >> 8) as usize;
+    match dice % 20 {
+        0 => {
+            let (width, height) = SIZES[choice % SIZES.len()];
+            app.resize(Rect::new(0, 0, width, height));
+        }
+        1 => {
+            let at = Position::new(choice as u16 % 120, (dice >> 24) as u16 % 40);
+            let mouse = [Mouse::Press, Mouse::Drag, Mouse::Wheel(1), Mouse::Wheel(-3)];
+            app.mouse(mouse[(dice >> 40) as usize % 4], at);
+        }
+        2 => {
+            for letter in TEXTS[choice % TEXTS.len()].chars() {
+                let is_end = letter == '\n';
+                press(
+                    app,
+                    if is_end {
+                        KeyCode::Enter
+                    } else {
+                        KeyCode::Char(letter)
+                    },
+                );
+            }
+        }
+        3 => {
+            press(app, KeyCode::Char(char::from(32 + choice as u8 % 95)));
+        }
+        _ => {
+            let keys = ACTIONS.iter().flat_map(|b| b.keys);
+            let count = keys.clone().count();
+            if let Some((key, _)) = keys.clone().nth(choice % count) {
+                app.press(key.event());
+            }
+        }
+    }
+    // The end is asked for, and put off.
+    app.model.request = Request::Stay;
+    app.model.clipboard = None;
+}
+
+#[test]
+fn no_keys_in_any_order_break_it() {
+    let inputs = std::env::var("RAYTREE_KEYS").map_or(INPUTS, |n| n.parse().expect("a number"));
+    let mut app = app(60, 20);
+    let start = app.model.settings;
+    let mut state = 7;
+    let (mut settled, mut drawn) = (0, 0);
+    for _ in 0..inputs {
+        let dice = next(&mut state);
+        input(&mut app, dice);
+        // Many samples would take all the time.
+        if app.model.settings.pixel.samples > 4 || app.model.settings.light.samples > 32 {
+            app.press(KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
+            app.model.request = Request::Stay;
+            keys(&mut app, "U");
+        }
+        if dice.is_multiple_of(7) {
+            app.receive();
+            drawn += u64::from(app.model.layout.screen.area() > 0);
+            drop(buffer(&app));
+        }
+        if dice.is_multiple_of(97) {
+            settle(&mut app);
+            settled += 1;
+        }
+    }
+    assert!(drawn > inputs / 20 && settled > 3, "{drawn}, {settled}");
+    // Back to the picture, and everything taken back.
+    app.resize(Rect::new(0, 0, 60, 20));
+    for _ in 0..12 {
+        app.press(KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
+        app.model.request = Request::Stay;
+    }
+    while !app.model.undone.is_empty() {
+        keys(&mut app, "U");
+    }
+    settle(&mut app);
+    let size = app.model.settings.size();
+    let kept = start.with(|s| {
+        (s.image.width, s.image.height) = size;
+        s.effects = app.model.settings.effects;
+    });
+    assert_eq!(app.model.settings, kept);
+}

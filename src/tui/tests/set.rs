@@ -1,0 +1,124 @@
+//! Settings that change while the debugger runs, and trees that are compared.
+
+use crossterm::event::KeyCode;
+
+use super::support::{app, buffer, key, keys, of_scene, opened, settle, text};
+use crate::tui::terminal::program::Program;
+
+fn enter(app: &mut Program, letters: &str) {
+    keys(app, letters);
+    key(app, KeyCode::Enter);
+    settle(app);
+}
+
+#[test]
+fn the_noise_of_a_penumbra_takes_three_keys_and_less_of_it_two_more() {
+    let mut app = of_scene("soft-shadow", 80, 40, |_| ());
+    settle(&mut app);
+    let before = app.model.settings;
+    keys(&mut app, "[[[[");
+    settle(&mut app);
+    assert_eq!(app.model.settings.light.samples, 1);
+    assert!(text(&app).contains("samples a light: 1"), "{}", text(&app));
+    let noisy = buffer(&app);
+    keys(&mut app, "+");
+    settle(&mut app);
+    assert_ne!(buffer(&app), noisy, "another seed, another noise");
+    keys(&mut app, "]]");
+    settle(&mut app);
+    assert_eq!(app.model.settings.light.samples, 4);
+    // Everything is taken back.
+    keys(&mut app, "UUUUUUU");
+    settle(&mut app);
+    assert_eq!(app.model.settings, before);
+    keys(&mut app, "U");
+    assert!(text(&app).contains("nothing was changed"), "{}", text(&app));
+}
+
+#[test]
+fn a_setting_that_is_typed_changes_the_picture_and_the_open_tree() {
+    let mut app = opened(120, 40);
+    let rays = |app: &Program| app.model.session.as_ref().map_or(0, |s| s.trace.pixel.rays);
+    let before = rays(&app);
+    enter(&mut app, "=depth=1");
+    assert!(rays(&app) < before, "{before}");
+    enter(&mut app, "=accel=kd");
+    assert_eq!(app.model.settings.accel, crate::accel::AccelKind::Kd);
+    keys(&mut app, "UU");
+    settle(&mut app);
+    assert_eq!(rays(&app), before);
+    enter(&mut app, "=dept=1");
+    assert!(
+        text(&app).contains("`dept` is no setting"),
+        "{}",
+        text(&app)
+    );
+    key(&mut app, KeyCode::Esc);
+    enter(&mut app, "=size=10x10");
+    assert!(
+        text(&app).contains("start again with --size"),
+        "{}",
+        text(&app)
+    );
+}
+
+#[test]
+fn a_bend_is_told_by_the_difference_of_the_trees() {
+    let mut app = opened(120, 40);
+    keys(&mut app, "d");
+    key(&mut app, KeyCode::Down);
+    enter(&mut app, "");
+    let told = text(&app);
+    assert!(
+        told.contains("difference") && told.contains("as if     eta-inverted"),
+        "{told}"
+    );
+    keys(&mut app, "q");
+    // With itself it agrees.
+    let (x, y) = app.model.picture.cursor;
+    enter(&mut app, &format!("d{x},{y}"));
+    assert!(text(&app).contains("quantities agree"), "{}", text(&app));
+    keys(&mut app, "q");
+    enter(&mut app, "d3,3");
+    assert!(text(&app).contains("outcome"), "{}", text(&app));
+    keys(&mut app, "q");
+    enter(&mut app, "dno-such-file.json");
+    assert!(
+        text(&app).contains("compare: no-such-file.json▏  cannot be read"),
+        "{}",
+        text(&app)
+    );
+}
+
+#[test]
+fn in_the_picture_there_is_no_tree_to_compare() {
+    let mut app = app(80, 24);
+    assert!(!app.press(crossterm::event::KeyEvent::from(KeyCode::Char('d'))));
+}
+
+#[test]
+fn the_samples_of_a_pixel_are_a_table_and_each_opens() {
+    let mut app = opened(120, 40);
+    enter(&mut app, "=samples=4");
+    keys(&mut app, "h");
+    let told = text(&app);
+    for part in [
+        "samples of the pixel",
+        "4 samples",
+        ":3  at (",
+        "weight 0.25 x radiance",
+        "sum: the pixel is",
+    ] {
+        assert!(told.contains(part), "{part}: {told}");
+    }
+    keys(&mut app, "q");
+    enter(&mut app, "::2");
+    let told = text(&app);
+    assert!(told.contains("I: a ray from the eye"), "{told}");
+    let session = app.model.session.as_ref().expect("a tree");
+    let node = session.node().expect("a ray");
+    assert_eq!(
+        session.tree().sample_of_node(node).map(|s| s.index),
+        Some(2)
+    );
+}

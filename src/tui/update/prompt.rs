@@ -1,0 +1,136 @@
+//! Prompt: a text that is typed, to go somewhere, to search, to change a setting, to compare.
+
+use super::{compare, image, search, set};
+use crate::debug::search::READY;
+use crate::trace::Address;
+use crate::tui::model::{Model, Overlay, Prompt};
+
+/// Settings to begin with.
+const SETTINGS: [&str; 7] = [
+    "samples=16",
+    "light-samples=1",
+    "sampling=random",
+    "depth=2",
+    "fresnel=schlick",
+    "exposure=2",
+    "accel=kd",
+];
+
+/// Letters of a text at most.
+const MOST_LETTERS: usize = 200;
+
+/// Asks for a text.
+pub fn ask(model: &mut Model, prompt: Prompt) {
+    model.overlay = Some(Overlay::Prompt(prompt, String::new()));
+}
+
+/// A letter was typed.
+pub fn typed(model: &mut Model, letter: char) {
+    model.message = None;
+    if let Some(Overlay::Prompt(_, text)) = &mut model.overlay
+        && !letter.is_control()
+        && text.chars().count() < MOST_LETTERS
+    {
+        text.push(letter);
+    }
+}
+
+/// Deletes the last letter.
+pub fn erase(model: &mut Model) {
+    if let Some(Overlay::Prompt(_, text)) = &mut model.overlay {
+        text.pop();
+    }
+}
+
+/// Puts the next (previous) ready text into the prompt.
+pub fn ready(model: &mut Model, next: bool) {
+    let Some(Overlay::Prompt(prompt, text)) = &mut model.overlay else {
+        return;
+    };
+    let texts: &[&str] = match prompt {
+        Prompt::Search => &READY,
+        Prompt::Compare => &compare::READY,
+        Prompt::Set => &SETTINGS,
+        Prompt::GoTo => return,
+    };
+    let count = texts.len();
+    let at = texts.iter().position(|ready| ready == text);
+    let at = match (at, next) {
+        (None, true) => 0,
+        (None, false) => count - 1,
+        (Some(at), true) => (at + 1) % count,
+        (Some(at), false) => (at + count - 1) % count,
+    };
+    texts[at].clone_into(text);
+}
+
+/// Takes the text. What cannot be meant is told, and the prompt stays.
+pub fn accept(model: &mut Model) {
+    let Some(Overlay::Prompt(prompt, text)) = model.overlay.take() else {
+        return;
+    };
+    let done = match prompt {
+        _ if text.trim().is_empty() => Ok(()),
+        Prompt::GoTo => go_to(model, text.trim()),
+        Prompt::Search => search::start(model, text.trim()),
+        Prompt::Set => set::typed(model, text.trim()),
+        Prompt::Compare => compare::typed(model, text.trim()),
+    };
+    if let Err(problem) = done {
+        model.message = Some(problem);
+        model.overlay = Some(Overlay::Prompt(prompt, text));
+    }
+}
+
+/// Goes to an event of the open tree, or to an address.
+fn go_to(model: &mut Model, text: &str) -> Result<(), String> {
+    let number = text.strip_prefix('#').unwrap_or(text).parse::<usize>();
+    if let (Ok(number), Some(session)) = (number, &mut model.session) {
+        let count = session.tree().events.len();
+        if number >= count {
+            return Err(format!(
+                "there is no event {number}: the last one is {}",
+                count.saturating_sub(1)
+            ));
+        }
+        session.go_to_event(number);
+        return Ok(());
+    }
+    // Without a pixel it is a place in this one.
+    let (x, y) = model.picture.cursor;
+    let here = text.starts_with(['/', ':', '#']);
+    let address = if here {
+        format!("{x},{y}{text}")
+    } else {
+        text.to_owned()
+    };
+    let address: Address = address.parse()?;
+    let (width, height) = model.picture.size;
+    let (x, y) = address.pixel;
+    if x >= width || y >= height {
+        return Err(format!(
+            "pixel {x},{y} is outside the picture of {width}x{height}"
+        ));
+    }
+    if let Some(session) = &mut model.session
+        && address.pixel == model.picture.cursor
+    {
+        return session.go_to_address(&address);
+    }
+    model.picture.cursor = address.pixel;
+    image::moved(model);
+    let is_ray =
+        address.path.sample > 0 || !address.path.steps.is_empty() || address.part.is_some();
+    if is_ray || model.session.is_some() {
+        model.options.at = Some(address);
+        image::open(model);
+    }
+    Ok(())
+}
+
+/// Copies the command that opens the debugger here.
+pub fn copy(model: &mut Model) {
+    let command = model.open_command();
+    model.message = Some(command.clone());
+    model.clipboard = Some(command);
+}

@@ -1,0 +1,101 @@
+//! Settings that change while the debugger runs: the picture and an open tree follow, and each change can be undone.
+
+use std::sync::Arc;
+
+use super::image;
+use crate::scene::Settings;
+use crate::scene::settings::knobs::set_knob;
+use crate::tui::model::Model;
+use crate::world::World;
+
+/// Changes that can be undone.
+const MOST_UNDONE: usize = 1000;
+
+/// Samples of a pixel or of a light at most, by keys.
+const MOST_SAMPLES: u32 = 4096;
+
+/// Takes a setting as `flag=value`, such as `samples=16`.
+pub fn typed(model: &mut Model, text: &str) -> Result<(), String> {
+    let Some((flag, value)) = text.split_once('=') else {
+        return Err(format!(
+            "`{text}` sets nothing; write flag=value, such as samples=16"
+        ));
+    };
+    let (flag, value) = (flag.trim().trim_start_matches('-'), value.trim());
+    if flag == "size" {
+        return Err("the size of the picture stays; start again with --size".to_owned());
+    }
+    let mut settings = model.settings;
+    set_knob(&mut settings, flag, value)?;
+    if settings.arithmetic != model.settings.arithmetic {
+        return Err(format!(
+            "`{flag}` is part of the scene's shapes; start again with --{flag} {value}"
+        ));
+    }
+    change(model, settings);
+    Ok(())
+}
+
+/// Twice or half as many samples of each pixel, or of each light with an area.
+pub fn samples(model: &mut Model, of_lights: bool, more: bool) {
+    let settings = model.settings.with(|s| {
+        let count = if of_lights {
+            &mut s.light.samples
+        } else {
+            &mut s.pixel.samples
+        };
+        let wanted = if more {
+            count.saturating_mul(2)
+        } else {
+            *count / 2
+        };
+        *count = wanted.clamp(1, MOST_SAMPLES);
+    });
+    let (what, count) = if of_lights {
+        ("samples a light", settings.light.samples)
+    } else {
+        ("samples a pixel", settings.pixel.samples)
+    };
+    model.message = Some(format!("{what}: {count}"));
+    change(model, settings);
+}
+
+/// Other random numbers.
+pub fn next_seed(model: &mut Model) {
+    let settings = model.settings.with(|s| s.seed = s.seed.wrapping_add(1));
+    model.message = Some(format!("seed: {}", settings.seed));
+    change(model, settings);
+}
+
+/// Takes the last change back.
+pub fn undo(model: &mut Model) {
+    match model.undone.pop() {
+        Some(settings) => {
+            take(model, settings);
+            model.message = Some("the last change is taken back".to_owned());
+        }
+        None => model.message = Some("nothing was changed".to_owned()),
+    }
+}
+
+fn change(model: &mut Model, settings: Settings) {
+    if settings == model.settings {
+        return;
+    }
+    if model.undone.len() >= MOST_UNDONE {
+        model.undone.remove(0);
+    }
+    model.undone.push(model.settings);
+    take(model, settings);
+}
+
+fn take(model: &mut Model, settings: Settings) {
+    if settings.accel != model.settings.accel {
+        let scene = model.world.scene.clone();
+        model.world = Arc::new(World::new(scene, settings.accel));
+    }
+    // The size belongs to the picture, which may have been fitted to the screen meanwhile.
+    let size = model.settings.size();
+    model.settings = settings.with(|s| (s.image.width, s.image.height) = size);
+    image::redo(model);
+}
