@@ -2,6 +2,7 @@
 
 mod dot;
 pub mod json;
+mod phrases;
 mod svg;
 mod text;
 mod tree_layout;
