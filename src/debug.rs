@@ -4,6 +4,7 @@
 
 pub mod convergence;
 pub mod cursor;
+pub mod drawing;
 pub mod effects;
 pub mod extent;
 pub mod outline;
@@ -23,6 +24,7 @@ pub mod window;
 
 pub use convergence::Convergence;
 pub use cursor::{Cursor, StepCommand};
+pub use drawing::drawing;
 pub use outline::{ObjectOutline, outlines};
 pub use pick::{Picked, pick};
 pub use picture::PartialPicture;

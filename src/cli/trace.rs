@@ -10,8 +10,10 @@ use super::output::{self, Target};
 use super::settings::{SceneArgs, check};
 use super::{Completion, Failure};
 use crate::accel::clearest;
+use crate::debug::drawing;
+use crate::scene::Scene;
 use crate::trace::address::subtree;
-use crate::trace::export::{Dot, Svg, Text, json};
+use crate::trace::export::{Dot, Html, Svg, Text, json};
 use crate::trace::facts::TreePath;
 use crate::trace::{Address, Document, View, document, trace_pixel};
 
@@ -28,7 +30,7 @@ pub struct Trace {
     /// How to write the tree
     #[arg(long, value_enum, default_value_t = Format::Json)]
     format: Format,
-    /// Add every node visited and every shape tested
+    /// Add every node visited and every shape tested (not to dot and svg)
     #[arg(long)]
     traversal: bool,
     /// Do not say which laws --bend exchanges, for exam sheets
@@ -44,6 +46,8 @@ enum Format {
     Json,
     /// For reading
     Text,
+    /// A page for a browser, where rays are unfolded
+    Html,
     /// A Graphviz diagram
     Dot,
     /// A picture of the tree
@@ -56,8 +60,22 @@ impl Format {
         match self {
             Self::Json => &["json"],
             Self::Text => &["txt"],
+            Self::Html => &["html", "htm"],
             Self::Dot => &["dot", "gv"],
             Self::Svg => &["svg"],
+        }
+    }
+
+    /// A warning if it has no room for the steps through the accelerator.
+    fn without_traversal(self) -> Option<&'static str> {
+        match self {
+            Self::Json | Self::Text | Self::Html => None,
+            Self::Dot => {
+                Some("--traversal adds nothing to the format dot; json, text and html have it")
+            }
+            Self::Svg => {
+                Some("--traversal adds nothing to the format svg; json, text and html have it")
+            }
         }
     }
 }
@@ -76,6 +94,10 @@ impl Trace {
         let (mut world, settings) = args.build(scene, clearest)?;
         check::rays(&settings)?;
         check::inside(&settings, pixel)?;
+        let unheard = self.format.without_traversal().filter(|_| self.traversal);
+        if let Some(text) = unheard {
+            args.notices.warn(text);
+        }
         let trace = trace_pixel(&world, &settings, pixel, self.traversal);
         let cut = trace.pixel.cut_warning(&settings, args.label());
         args.notices.tell(cut.as_slice());
@@ -92,7 +114,7 @@ impl Trace {
         if self.anonymous {
             document.settings.bent = None;
         }
-        let produce = |out: &mut dyn Write| self.write(out, &document);
+        let produce = |out: &mut dyn Write| self.write(out, &world.scene, &document);
         match file {
             Some(file) => file.write(produce)?,
             None => output::to_stdout_by(produce)?,
@@ -108,8 +130,8 @@ impl Trace {
             args.notices.warn(super::render::CUT);
             return Ok(Completion::Cut);
         }
-        args.notices
-            .deny(args.label(), world.scene.warnings.len())?;
+        let warnings = world.scene.warnings.len() + usize::from(unheard.is_some());
+        args.notices.deny(args.label(), warnings)?;
         Ok(Completion::Whole)
     }
 
@@ -128,10 +150,19 @@ impl Trace {
         }
     }
 
-    fn write(&self, out: &mut dyn Write, document: &Document) -> std::io::Result<()> {
+    fn write(
+        &self,
+        out: &mut dyn Write,
+        scene: &Scene,
+        document: &Document,
+    ) -> std::io::Result<()> {
         match self.format {
             Format::Json => json::write(out, document),
             Format::Text => write!(out, "{}", Text(document)),
+            Format::Html => {
+                let drawing = &drawing(scene, document);
+                write!(out, "{}", Html { document, drawing })
+            }
             Format::Dot => write!(out, "{}", Dot(document)),
             Format::Svg => write!(out, "{}", Svg(document)),
         }

@@ -10,7 +10,7 @@ use crate::trace::{Node, Outcome, View};
 pub const MAX_DRAWN: usize = 2000;
 
 /// The least share of the pixel of a ray that the drawing makes room for.
-const VISIBLE_SHARE: f64 = 0.01;
+pub const VISIBLE_SHARE: f64 = 0.01;
 
 /// A box around the paths that matter to the pixel, and around what they hit if that is not much larger. Lights may
 /// be far away: rays to them leave the drawing.
@@ -31,11 +31,14 @@ pub fn extent(view: View) -> Aabb {
             met.push(view.world.scene.owners[hit.primitive as usize]);
         }
     }
+    fitted(&view.world.scene, points, met)
+}
+
+/// A box around points, and around the objects that were met there if those are not much larger.
+pub fn fitted(scene: &Scene, points: Aabb, mut met: Vec<u32>) -> Aabb {
     met.sort_unstable();
     met.dedup();
-    let objects = met
-        .into_iter()
-        .filter_map(|object| bounds(&view.world.scene, object));
+    let objects = met.into_iter().filter_map(|object| bounds(scene, object));
     let near = objects.filter(|bounds| bounds.size().length() < points.size().length());
     let all = near.fold(points, Aabb::union);
     let margin = 0.05 * all.size().length().max(0.1);

@@ -70,7 +70,7 @@ impl Viewport {
     }
 
     /// Width and height together.
-    fn span(&self) -> f64 {
+    pub fn span(&self) -> f64 {
         (self.x[1] - self.x[0]) + (self.y[1] - self.y[0])
     }
 

@@ -2,7 +2,7 @@
 
 use strum::IntoDiscriminant;
 
-use super::{Absence, Choice, Verdict};
+use super::{Absence, AbsenceReason, Choice, Verdict};
 
 impl Absence {
     /// Its name in JSON.
@@ -24,6 +24,37 @@ impl Absence {
             Self::DepthLimit => "depth limit",
             Self::RayBudget => "rays are used up",
             Self::EffectOff => "effect is left out",
+        }
+    }
+}
+
+impl AbsenceReason {
+    /// What it means, in a sentence.
+    pub fn sentence(self) -> &'static str {
+        match self {
+            Self::TotalInternalReflection => {
+                "The ray meets the boundary too flat: Snell's law has no direction beyond it, and all light is reflected."
+            }
+            Self::NoReflection => "The material reflects nothing.",
+            Self::NoTransmission => "Nothing passes through the material.",
+            Self::NoLocalLight => {
+                "The material has neither a diffuse nor a specular coefficient, so lights do not matter."
+            }
+            Self::FacingAway => "The light is behind the surface, which shades itself.",
+            Self::OutsideCone => "The point lies outside the cone of the spot light.",
+            Self::BelowSurface => {
+                "The blended normal leans so far that the ray would run through the surface it leaves."
+            }
+            Self::MinWeight => "Whatever it would bring back could not be seen in the pixel.",
+            Self::DepthLimit => {
+                "The depth limit ends the recursion here: what it would bring back is missing in the pixel."
+            }
+            Self::EffectOff => {
+                "This effect was switched off: the picture is not that of the whole scene."
+            }
+            Self::RayBudget => {
+                "The pixel has used up its share of the ray budget: the picture is cut short here."
+            }
         }
     }
 }

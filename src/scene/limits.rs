@@ -52,6 +52,8 @@ pub const MAX_EVENTS: usize = 10_000_000;
 pub const MAX_EVENT_BYTES: usize = 512 << 20;
 /// Nodes that a diagram shows.
 pub const MAX_DIAGRAM_NODES: usize = 2000;
+/// Steps of a ray through the accelerator that a page shows.
+pub const MAX_PAGE_STEPS: usize = 500;
 /// Threads.
 pub const MAX_THREADS: usize = 1024;
 /// Seconds that measuring may be given.
@@ -60,9 +62,10 @@ pub const MAX_SECONDS: f64 = 1e6;
 /// The limits as the book tells them: what is limited, to how much, and what happens beyond.
 pub fn table() -> Vec<[String; 3]> {
     const REFUSED: &str = "refused";
+    const COUNTED: &str = "the others are counted";
     let mebibytes = |bytes: u64| format!("{} MiB", bytes >> 20);
     let up_to = |x: f64, unit: &str| format!("{x:e}{unit}");
-    let rows: [(&str, String, &str); 25] = [
+    let rows: [(&str, String, &str); 26] = [
         ("one file", mebibytes(MAX_FILE_BYTES), REFUSED),
         (
             "all files of a scene, each as often as it is named",
@@ -146,16 +149,13 @@ pub fn table() -> Vec<[String; 3]> {
             format!("{MAX_EVENTS}, or {}", mebibytes(MAX_EVENT_BYTES as u64)),
             "the tree is told as cut, and the exit status is 3",
         ),
+        ("nodes of a diagram", MAX_DIAGRAM_NODES.to_string(), COUNTED),
         (
-            "nodes of a diagram",
-            MAX_DIAGRAM_NODES.to_string(),
-            "the others are counted",
+            "steps of a ray on a page",
+            MAX_PAGE_STEPS.to_string(),
+            COUNTED,
         ),
-        (
-            "warnings of a scene",
-            MAX_WARNINGS.to_string(),
-            "the others are counted",
-        ),
+        ("warnings of a scene", MAX_WARNINGS.to_string(), COUNTED),
     ];
     rows.map(|(what, most, beyond)| [what.to_string(), most, beyond.to_string()])
         .to_vec()

@@ -1,13 +1,16 @@
-//! What a tree document is written as: JSON, text, a Graphviz diagram, a picture. Each is made of the document alone.
+//! What a tree document is written as: JSON, text, a page, a Graphviz diagram, a picture. Each is made of the document alone.
 
 mod dot;
+mod html;
 pub mod json;
+mod phrases;
 mod svg;
 mod text;
 mod tree_layout;
 pub mod xml;
 
 pub use dot::Dot;
+pub use html::Html;
 pub use svg::Svg;
 pub use text::Text;
 

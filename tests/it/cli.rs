@@ -108,6 +108,8 @@ fn every_format_of_a_tree_is_written() {
     assert!(written("dot").starts_with("digraph raytree {"));
     let svg = written("svg");
     assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"));
+    let page = written("html");
+    assert!(page.starts_with("<!DOCTYPE html>") && page.trim_end().ends_with("</html>"));
     let deep = run(&[
         "trace",
         "room",

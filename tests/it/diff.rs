@@ -200,7 +200,7 @@ fn an_anonymous_tree_does_not_name_its_bend() {
     assert!(named.contains("eta-inverted") && !anonymous.contains("eta-inverted"));
     let read = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
     assert_eq!(read(&named)["samples"], read(&anonymous)["samples"]);
-    for format in ["text", "dot", "svg"] {
+    for format in ["text", "html", "dot", "svg"] {
         let (text, _) = raytree(&[&args[..], &["--anonymous", "--format", format]].concat());
         assert!(!text.contains("eta-inverted"), "{format}");
     }

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use raytree::scene::{self, Settings};
-use raytree::trace::export::{Dot, Svg, Text, json};
+use raytree::trace::export::{Dot, Html, Svg, Text, json};
 use raytree::trace::{Document, View, document, trace_pixel};
 use raytree::world::World;
 
@@ -38,6 +38,14 @@ fn check(document: &Document) {
     assert_eq!(Text(&read).to_string(), Text(document).to_string());
     assert_eq!(Dot(&read).to_string(), Dot(document).to_string());
     assert_eq!(Svg(&read).to_string(), Svg(document).to_string());
+    let page = |document| {
+        Html {
+            document,
+            drawing: "",
+        }
+        .to_string()
+    };
+    assert_eq!(page(&read), page(document));
     // The layout changes no value.
     let compact = serde_json::to_value(document).expect("writable");
     let pretty: serde_json::Value = serde_json::from_slice(&text).expect("JSON");

@@ -33,6 +33,7 @@ mod grade_outputs;
 #[cfg(unix)]
 mod grade_run;
 mod hello;
+mod html;
 mod knobs;
 mod laws;
 mod light_extremes;

@@ -1,5 +1,7 @@
 //! Rays that are not sent, and why.
 
+use strum::IntoDiscriminant;
+
 use super::Explanation;
 use crate::probe::{Absence, RayKind};
 use crate::trace::View;
@@ -12,35 +14,7 @@ pub fn absent(view: View, node: u32, kind: RayKind, light: u32, reason: Absence)
         _ => format!("no {} ray", kind.letter()),
     };
     let (name, value) = number(view, node, reason);
-    Explanation::new(what, sentence(reason)).row(name, value)
-}
-
-fn sentence(reason: Absence) -> &'static str {
-    match reason {
-        Absence::TotalInternalReflection { .. } => {
-            "The ray meets the boundary too flat: Snell's law has no direction beyond it, and all light is reflected."
-        }
-        Absence::NoReflection => "The material reflects nothing.",
-        Absence::NoTransmission => "Nothing passes through the material.",
-        Absence::NoLocalLight => {
-            "The material has neither a diffuse nor a specular coefficient, so lights do not matter."
-        }
-        Absence::FacingAway { .. } => "The light is behind the surface, which shades itself.",
-        Absence::OutsideCone { .. } => "The point lies outside the cone of the spot light.",
-        Absence::BelowSurface { .. } => {
-            "The blended normal leans so far that the ray would run through the surface it leaves."
-        }
-        Absence::MinWeight { .. } => "Whatever it would bring back could not be seen in the pixel.",
-        Absence::DepthLimit => {
-            "The depth limit ends the recursion here: what it would bring back is missing in the pixel."
-        }
-        Absence::EffectOff => {
-            "This effect was switched off: the picture is not that of the whole scene."
-        }
-        Absence::RayBudget => {
-            "The pixel has used up its share of the ray budget: the picture is cut short here."
-        }
-    }
+    Explanation::new(what, reason.discriminant().sentence()).row(name, value)
 }
 
 /// The quantity that decided, by its name, and its value.

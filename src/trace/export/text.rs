@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::fmt;
 
+use super::phrases;
 use crate::probe::RayKind;
 use crate::scene::printable::printable;
 use crate::trace::document::{Document, LightSummary, RayInTree, RayNode, RayOutcome, SampleTree};
@@ -102,7 +103,11 @@ fn summary(document: &Document, sample: &SampleTree, ray: &RayInTree) -> String 
     };
     if node.kind == RayKind::Light {
         let light = node.light.as_deref().unwrap_or_default();
-        return format!("{letter} to {light}: {end}");
+        let away = node
+            .t_max
+            .map_or(String::new(), |t| format!(", {} away", num(t)));
+        let along = triple(node.direction);
+        return format!("{letter} to {light} along {along}{away}: {end}");
     }
     format!(
         "{letter} {end}, radiance {}, weight {}, {:.1} % of the pixel",
@@ -112,21 +117,23 @@ fn summary(document: &Document, sample: &SampleTree, ray: &RayInTree) -> String 
     )
 }
 
-/// The lines below a ray's, in the tracer's order: passed surfaces, own terms, light by light, the boundary, R and T.
+/// The lines below a ray's, in the tracer's order: steps through the accelerator, passed surfaces, the hit, own terms, light by
+/// light, the boundary, R and T.
 fn details(node: &RayNode, lights: &Lights) -> Vec<String> {
     let mut lines = Vec::new();
     if node.kind != RayKind::Light {
         let (origin, direction) = (triple(node.origin), triple(node.direction));
         lines.push(format!("from {origin} along {direction}"));
     }
-    lines.extend(node.passed.iter().map(|passed| {
-        format!(
-            "straight through the surface of {} at t = {}, inside {}",
-            passed.object,
-            num(passed.t),
-            passed.medium
-        )
-    }));
+    lines.extend(node.traversal.iter().map(phrases::step));
+    lines.extend(node.passed.iter().map(phrases::passed));
+    if node.kind != RayKind::Light {
+        lines.extend(
+            node.hit
+                .iter()
+                .map(|hit| format!("hits {}", phrases::hit(hit))),
+        );
+    }
     let mut terms = Vec::new();
     let mut secondary = Vec::new();
     for absent in &node.absent {
@@ -145,14 +152,11 @@ fn details(node: &RayNode, lights: &Lights) -> Vec<String> {
     }
     terms.sort_by_key(|(light, _)| lights.get(light));
     lines.extend(terms.into_iter().map(|(_, line)| line));
-    lines.extend(node.boundary.iter().map(|boundary| {
-        format!(
-            "boundary from index {} to {}, reflectance {}",
-            num(boundary.n1),
-            num(boundary.n2),
-            num(boundary.reflectance)
-        )
-    }));
+    lines.extend(
+        node.boundary
+            .iter()
+            .map(|b| format!("boundary {}", phrases::boundary(b))),
+    );
     lines.extend(secondary);
     lines.extend(node.bundles.iter().map(area_light));
     lines

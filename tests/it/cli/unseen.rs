@@ -43,7 +43,7 @@ fn names_are_shown_with_numbers_for_what_cannot_be_seen() {
     for odd in ODD {
         fs::write(&path, scene(odd)).expect("a file");
         let number = format!("\\u{{{:x}}}", odd as u32);
-        for format in ["text", "dot", "svg"] {
+        for format in ["text", "html", "dot", "svg"] {
             let ran = run(&[
                 "trace", file, "--size", "9x9", "--pixel", "4,4", "--format", format,
             ]);
