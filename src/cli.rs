@@ -13,6 +13,7 @@ mod grade;
 mod new_file;
 mod notices;
 mod output;
+mod reduce;
 mod render;
 mod run_programs;
 mod scenes;
@@ -72,6 +73,9 @@ enum Command {
     /// Find the pixels whose ray trees satisfy a query
     #[command(after_help = find::HELP)]
     Find(find::Find),
+    /// Find the smallest scene in which a pixel has the same ray tree
+    #[command(after_help = reduce::HELP)]
+    Reduce(reduce::Reduce),
     /// Tell where two ray trees of a pixel differ, and which law is broken
     Diff(diff::Diff),
     /// Mark what students hand in, and name the law that their tracers break
@@ -134,6 +138,7 @@ fn run(cli: Cli) -> Result<Completion, Failure> {
         Some(Command::Trace(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
         Some(Command::Find(command)) => command.run(),
+        Some(Command::Reduce(command)) => command.run(),
         Some(Command::Diff(command)) => command.run(),
         Some(Command::Grade(command)) => command.run(),
         Some(Command::Cost(command)) => command.run(),

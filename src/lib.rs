@@ -23,6 +23,8 @@ pub mod math;
 #[doc(hidden)]
 pub mod probe;
 #[doc(hidden)]
+pub mod reduce;
+#[doc(hidden)]
 pub mod sampling;
 pub mod scene;
 #[doc(hidden)]

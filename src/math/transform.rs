@@ -82,6 +82,20 @@ impl Transform {
         self.to_world.matrix3.determinant() < 0.0
     }
 
+    /// If the map mirrors along the axes and does nothing else, what coordinates are multiplied with: 1 or -1.
+    pub fn axis_mirror(&self) -> Option<DVec3> {
+        let DAffine3 {
+            matrix3,
+            translation,
+        } = self.to_world;
+        let signs = DVec3::new(matrix3.x_axis.x, matrix3.y_axis.y, matrix3.z_axis.z);
+        let mirrors = matrix3 == DMat3::from_diagonal(signs)
+            && translation == DVec3::ZERO
+            && signs.abs() == DVec3::ONE
+            && self.flips_handedness();
+        mirrors.then_some(signs)
+    }
+
     /// If the map only moves, turns and scales evenly: the factor by which lengths grow.
     pub fn uniform_scale(&self) -> Option<f64> {
         let m = self.to_world.matrix3;
@@ -106,6 +120,23 @@ mod tests {
         );
         assert!(t.vector(tangent).dot(t.normal(normal)).abs() < 1e-15);
         assert_eq!(t.uniform_scale(), None);
+    }
+
+    #[test]
+    fn a_mirror_along_axes_is_told_from_all_else() {
+        let mirror = |x, y, z| {
+            let map = Transform::new(DAffine3::from_scale(DVec3::new(x, y, z)));
+            map.expect("invertible").axis_mirror()
+        };
+        assert_eq!(mirror(-1.0, 1.0, 1.0), Some(DVec3::new(-1.0, 1.0, 1.0)));
+        assert_eq!(mirror(-1.0, -1.0, -1.0), Some(-DVec3::ONE));
+        assert_eq!(mirror(-1.0, -1.0, 1.0), None);
+        assert_eq!(mirror(-2.0, 1.0, 1.0), None);
+        let moved = DAffine3::from_translation(DVec3::X) * DAffine3::from_scale(-DVec3::ONE);
+        assert_eq!(
+            Transform::new(moved).expect("invertible").axis_mirror(),
+            None
+        );
     }
 
     #[test]

@@ -19,9 +19,9 @@ use crate::shading::Fresnel;
 
 pub use light::FlatLight;
 pub use object::FlatObject;
-pub use of_scene::{head, objects};
+pub use of_scene::{head, objects, shining};
 pub use text::{check_text, write_text};
-pub use write::write_json;
+pub use write::{line, write_json};
 
 /// The version of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

@@ -47,6 +47,7 @@ mod penumbra;
 mod projected;
 mod read_trees;
 mod readme;
+mod reduce;
 mod same_bits;
 mod sampling;
 mod scenes;

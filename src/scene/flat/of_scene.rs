@@ -110,20 +110,21 @@ fn light(scene: &Scene, light: &Light) -> FlatLight {
         },
         LightKind::Area(area) => FlatLight::Area {
             name,
-            object: shining(scene, area).to_owned(),
+            object: shining(scene, area)
+                .map_or_else(String::new, |o| scene.objects[o as usize].name.clone()),
         },
     }
 }
 
-/// The name of the object whose surface an area light is: that of which the same light would be made.
-fn shining<'s>(scene: &'s Scene, area: &Area) -> &'s str {
+/// The number of the object whose surface an area light is: that of which the same light would be made.
+pub fn shining(scene: &Scene, area: &Area) -> Option<u32> {
     let mut objects = (0..).zip(&scene.objects);
     let found = objects.find(|(index, object)| {
         let emission = scene.materials[object.material as usize].emission;
         emission == area.radiance
             && Area::new(scene.shapes_of(*index), emission).as_ref() == Some(area)
     });
-    found.map_or("", |(_, object)| object.name.as_str())
+    found.map(|(index, _)| index)
 }
 
 /// What a shape belongs to.

@@ -47,7 +47,7 @@ fn list<T: Serialize>(
 }
 
 /// A value on one line. What cannot be seen, which stands in texts only, as `\u....`: harmless on a terminal.
-fn line(value: &impl Serialize) -> io::Result<String> {
+pub fn line(value: &impl Serialize) -> io::Result<String> {
     let json = serde_json::to_string(value)?;
     if json.chars().all(is_printable) {
         return Ok(json);

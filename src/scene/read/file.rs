@@ -90,6 +90,8 @@ pub struct CameraFile {
     /// The angle between the lower and the upper edge of the picture, in degrees.
     #[serde(default = "CameraFile::vertical_fov")]
     pub vertical_fov: f64,
+    /// tan(vertical_fov / 2), half the height of the film at distance 1: if it is given, it counts in the place of the angle.
+    pub half_height: Option<f64>,
 }
 
 impl CameraFile {
@@ -109,6 +111,7 @@ impl CameraFile {
             look_at,
             up: Self::up(),
             vertical_fov: Self::vertical_fov(),
+            half_height: None,
         }
     }
 }

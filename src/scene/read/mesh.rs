@@ -21,13 +21,14 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Moves its points and normals.
+    /// Moves its points and normals. A mirror along the axes keeps the length of a normal, to the bit.
     pub fn place(&mut self, map: &Transform) {
         let points = Arc::make_mut(&mut self.points);
         points.par_iter_mut().for_each(|p| *p = map.point(*p));
+        let mirror = map.axis_mirror();
         let normals = Arc::make_mut(&mut self.corners.normals).iter_mut();
         for n in normals.filter(|n| **n != DVec3::ZERO) {
-            *n = map.normal(*n);
+            *n = mirror.map_or_else(|| map.normal(*n), |signs| *n * signs);
         }
     }
 

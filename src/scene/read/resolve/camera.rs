@@ -1,6 +1,6 @@
 //! Camera of a scene file.
 
-use super::checks::{direction, point};
+use super::checks::{direction, point, positive};
 use crate::scene::Camera;
 use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::CameraFile;
@@ -23,10 +23,17 @@ pub fn camera(file: &CameraFile, path: &FieldPath) -> Result<Camera, SceneError>
             "move one of them",
         ));
     }
-    Camera::new(eye, look_at, up, fov.to_radians()).ok_or_else(|| {
+    let half_height = file.half_height;
+    let half_height = half_height.map(|height| positive(height, &path.key("half_height")));
+    let half_height = half_height.transpose()?;
+    let camera = Camera::new(eye, look_at, up, fov.to_radians()).ok_or_else(|| {
         path.key("up").error(
             "`up` is parallel to the view direction, so nothing says which way is up in the picture",
             "choose another `up`: looking straight down, [0, 0, -1] will do",
         )
+    })?;
+    Ok(Camera {
+        half_height: half_height.unwrap_or(camera.half_height),
+        ..camera
     })
 }

@@ -1,5 +1,6 @@
 //! Checks of single values.
 
+use crate::math::rounding::gamma;
 use crate::math::{DVec3, Rgb};
 use crate::scene::limits::{MAX_COORDINATE, MAX_NAME_BYTES};
 use crate::scene::read::error::{FieldPath, SceneError};
@@ -13,9 +14,13 @@ pub fn point(v: Triple, path: &FieldPath) -> Result<DVec3, SceneError> {
     Ok(v.into())
 }
 
-/// A direction of any length but 0, made unit.
+/// A direction of any length but 0, made unit. One that is unit already, as far as rounding goes, is taken as it is: what a
+/// program made unit and wrote down has the same bits again.
 pub fn direction(v: Triple, path: &FieldPath) -> Result<DVec3, SceneError> {
     let v = point(v, path)?;
+    if (v.length_squared() - 1.0).abs() <= gamma(16) {
+        return Ok(v);
+    }
     // Scaled first, so that the square of a small length does not vanish.
     (v / v.abs().max_element()).try_normalize().ok_or_else(|| {
         path.error(
