@@ -13,7 +13,7 @@ use crate::accel::clearest;
 use crate::debug::drawing;
 use crate::scene::Scene;
 use crate::trace::address::subtree;
-use crate::trace::export::{Dot, Html, Svg, Text, json};
+use crate::trace::export::{Dot, Html, RayLines, Svg, Text, json};
 use crate::trace::facts::TreePath;
 use crate::trace::{Address, Document, View, document, trace_pixel};
 
@@ -30,7 +30,7 @@ pub struct Trace {
     /// How to write the tree
     #[arg(long, value_enum, default_value_t = Format::Json)]
     format: Format,
-    /// Add every node visited and every shape tested (not to dot and svg)
+    /// Add every node visited and every shape tested (not to dot, svg and obj)
     #[arg(long)]
     traversal: bool,
     /// Do not say which laws --bend exchanges, for exam sheets
@@ -52,6 +52,8 @@ enum Format {
     Dot,
     /// A picture of the tree
     Svg,
+    /// The rays as lines, for a viewer of models
+    Obj,
 }
 
 impl Format {
@@ -63,6 +65,7 @@ impl Format {
             Self::Html => &["html", "htm"],
             Self::Dot => &["dot", "gv"],
             Self::Svg => &["svg"],
+            Self::Obj => &["obj"],
         }
     }
 
@@ -75,6 +78,9 @@ impl Format {
             }
             Self::Svg => {
                 Some("--traversal adds nothing to the format svg; json, text and html have it")
+            }
+            Self::Obj => {
+                Some("--traversal adds nothing to the format obj; json, text and html have it")
             }
         }
     }
@@ -165,6 +171,7 @@ impl Trace {
             }
             Format::Dot => write!(out, "{}", Dot(document)),
             Format::Svg => write!(out, "{}", Svg(document)),
+            Format::Obj => write!(out, "{}", RayLines(document)),
         }
     }
 }

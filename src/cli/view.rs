@@ -1,5 +1,8 @@
 //! `raytree view`: the debugger.
 
+use std::fs;
+use std::path::{Path, PathBuf};
+
 use clap::Args;
 
 use super::address::{self, addressed};
@@ -7,6 +10,9 @@ use super::notices::Notices;
 use super::settings::{SceneArgs, SettingsArgs, check};
 use super::{ColorArg, Completion, Failure};
 use crate::accel::clearest;
+use crate::debug::marks::{MAX_MARKS_BYTES, Marks};
+use crate::scene::limits::size_problem;
+use crate::scene::printable::excerpt;
 use crate::trace::Address;
 use crate::tui::{self, Options};
 
@@ -23,6 +29,9 @@ pub struct View {
     no_mouse: bool,
     #[arg(long, value_name = "ADDRESS", help = address::HELP)]
     at: Option<Address>,
+    /// Open the marks of this file, as W writes them; the picture has their size
+    #[arg(long, value_name = "FILE")]
+    marks: Option<PathBuf>,
     #[command(flatten)]
     scene: SceneArgs,
 }
@@ -34,17 +43,43 @@ impl View {
         if let Some(at) = at.as_ref().filter(|_| args.settings.size().is_some()) {
             check::inside(&settings, at.pixel)?;
         }
+        let marks = self.marks.as_deref().map(read_marks).transpose()?;
+        let size = args.settings.size();
+        let size = size.or(marks.as_ref().map(|m| (m.size[0], m.size[1])));
+        if let Some((width, height)) = size.filter(|_| marks.is_some())
+            && let Some(problem) = size_problem(width, height)
+        {
+            return Err(Failure::Input(format!(
+                "the marks have a size of {width}x{height}: {problem}"
+            )));
+        }
         let options = Options {
             scene: args.scene.clone(),
             color: self.color.level(),
             mouse: !self.no_mouse,
             threads: args.settings.threads,
-            size: args.settings.size(),
+            size,
             at,
+            marks,
         };
         tui::run(world, settings, options).map_err(Failure::Terminal)?;
         Ok(Completion::Whole)
     }
+}
+
+/// The marks in a file.
+fn read_marks(path: &Path) -> Result<Marks, Failure> {
+    let wrong = |what: String| {
+        let path = excerpt(&path.to_string_lossy());
+        Failure::Input(format!("{path}: {what}"))
+    };
+    let cannot = |error: std::io::Error| wrong(format!("cannot be read: {error}"));
+    let metadata = fs::metadata(path).map_err(cannot)?;
+    if !metadata.is_file() || metadata.len() > MAX_MARKS_BYTES {
+        return Err(wrong("is no file of at most 4 MiB: no marks".to_owned()));
+    }
+    let text = fs::read_to_string(path).map_err(cannot)?;
+    Marks::from_json(&text).map_err(wrong)
 }
 
 impl Default for View {
@@ -58,6 +93,7 @@ impl Default for View {
             color: ColorArg::Auto,
             no_mouse: false,
             at: None,
+            marks: None,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Search by a query: the pixels of a picture whose ray trees satisfy it, and the rays of an open tree that do.
+//! QuerySearch by a query: the pixels of a picture whose ray trees satisfy it, and the rays of an open tree that do.
 
 use super::cursor::Cursor;
 use super::session::Session;
@@ -21,7 +21,7 @@ const COUNTED: usize = 20_000;
 
 /// A query, and the pixels that were found so far.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Search {
+pub struct QuerySearch {
     /// As it was typed.
     pub text: String,
     /// The query.
@@ -35,7 +35,7 @@ pub struct Search {
     is_complete: bool,
 }
 
-impl Search {
+impl QuerySearch {
     /// A search of a picture of this width. An error says what is wrong with the query.
     pub fn new(text: &str, width: u32) -> Result<Self, String> {
         let query: TreeQuery = text.parse().map_err(|error| format!("{error}"))?;
@@ -164,7 +164,7 @@ mod tests {
 
     #[test]
     fn pixels_are_walked_in_the_order_of_reading_and_around() {
-        let mut search = Search::new("tir", 10).expect("a query");
+        let mut search = QuerySearch::new("tir", 10).expect("a query");
         assert_eq!(search.pixel((0, 0), true), None);
         assert_eq!(search.told((0, 0)), "`tir`: 0 pixels so far");
         search.add(&[(3, 0), (7, 1)], 20);
@@ -185,9 +185,9 @@ mod tests {
     #[test]
     fn ready_queries_are_queries() {
         for text in READY {
-            Search::new(text, 1).unwrap_or_else(|error| panic!("{text}: {error}"));
+            QuerySearch::new(text, 1).unwrap_or_else(|error| panic!("{text}: {error}"));
         }
-        let error = Search::new("glas", 1).expect_err("no query");
+        let error = QuerySearch::new("glas", 1).expect_err("no query");
         assert!(error.contains("letter 1"), "{error}");
     }
 }

@@ -1,9 +1,11 @@
-//! What a tree document is written as: JSON, text, a page, a Graphviz diagram, a picture. Each is made of the document alone.
+//! What a tree document is written as: JSON, text, a page, a Graphviz diagram, a picture, lines. Each is made of the document alone.
 
 mod dot;
 mod html;
 pub mod json;
+
 mod phrases;
+mod ray_lines;
 mod svg;
 mod text;
 mod tree_layout;
@@ -11,6 +13,7 @@ pub mod xml;
 
 pub use dot::Dot;
 pub use html::Html;
+pub use ray_lines::RayLines;
 pub use svg::Svg;
 pub use text::Text;
 

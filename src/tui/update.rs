@@ -7,6 +7,7 @@ mod dispatch;
 mod effects;
 mod image;
 mod keys;
+mod marks;
 mod mouse;
 mod output;
 mod play;

@@ -45,6 +45,7 @@ mod obj;
 mod patched;
 mod penumbra;
 mod projected;
+mod ray_lines;
 mod read_trees;
 mod readme;
 mod reduce;

@@ -323,6 +323,7 @@ fn broken_world() {
         threads: 1,
         size: None,
         at: None,
+        marks: None,
     };
     run(world, settings, options).expect("the debugger says what is wrong");
 }

@@ -45,6 +45,12 @@ pub enum Action {
     MoreSamples(bool, bool),
     /// Other random numbers.
     NextSeed,
+    /// Ask for a note, and mark what is shown with it.
+    Mark,
+    /// To the next mark.
+    NextMark,
+    /// Ask for a file to write the marks into.
+    WriteMarks,
     /// Take the last change of a setting back.
     Undo,
     /// Ask for a query to search for.

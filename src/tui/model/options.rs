@@ -1,5 +1,6 @@
 //! Options of the command line for the debugger.
 
+use crate::debug::marks::Marks;
 use crate::trace::Address;
 use crate::tracer::image::ColorLevel;
 
@@ -18,4 +19,6 @@ pub struct Options {
     pub size: Option<(u32, u32)>,
     /// The ray at which a tree is opened at the start; none once it is.
     pub at: Option<Address>,
+    /// Marks of a file.
+    pub marks: Option<Marks>,
 }

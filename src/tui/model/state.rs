@@ -10,7 +10,10 @@ use super::layout::{Pane, Panes, Shown, inside};
 use super::message::Job;
 use super::options::Options;
 use super::placement::Placement;
-use crate::debug::{Axis, Convergence, ObjectOutline, PartialPicture, Search, Session, outlines};
+use crate::debug::marks::Marks;
+use crate::debug::{
+    Axis, Convergence, ObjectOutline, PartialPicture, QuerySearch, Session, outlines,
+};
 use crate::lab::show::ShowMode;
 use crate::scene::effects::{Finding, findings};
 use crate::scene::{Settings, Warning, view_command};
@@ -45,6 +48,10 @@ pub enum Prompt {
     Set,
     /// To compare the open tree with another one.
     Compare,
+    /// To mark what is shown, with a note.
+    Note,
+    /// To write the marks into a file.
+    Write,
 }
 
 /// What the debugger asks of the program around it.
@@ -112,7 +119,7 @@ pub struct Model {
     /// Steps that run by themselves, if they do.
     pub play: Option<Play>,
     /// The query that is searched for.
-    pub search: Option<Search>,
+    pub search: Option<QuerySearch>,
     /// What lies over the panes.
     pub overlay: Option<Overlay>,
     /// What the user arranged.
@@ -121,6 +128,9 @@ pub struct Model {
     pub message: Option<String>,
     /// The settings before each change, the last one at the end.
     pub undone: Vec<Settings>,
+    /// Marked places, and the number of the one that was shown last.
+    pub marks: Marks,
+    pub marked: usize,
     /// What the terminal is asked to copy next.
     pub clipboard: Option<String>,
     /// True if the mouse is caught.
@@ -135,6 +145,7 @@ impl Model {
     /// A world on a screen of this size, with an empty picture.
     pub fn new(mut world: World, settings: Settings, options: Options, screen: Rect) -> Self {
         world.scene = world.scene.with_printable_names();
+        let marks = Marks::new(&options.scene, settings.size());
         Self {
             outlines: outlines(&world.scene),
             findings: findings(&world.scene),
@@ -152,6 +163,8 @@ impl Model {
             search: None,
             overlay: None,
             undone: Vec::new(),
+            marks,
+            marked: 0,
             clipboard: None,
             layout: LayoutState {
                 screen,
@@ -186,8 +199,8 @@ impl Model {
         warnings
     }
 
-    /// The command that opens the debugger at what is shown.
-    pub fn open_command(&self) -> String {
+    /// The address of what is shown.
+    pub fn address(&self) -> Address {
         let mut address = Address {
             scene: None,
             pixel: self.picture.cursor,
@@ -200,7 +213,12 @@ impl Model {
             address.path = node.map_or_else(TreePath::default, |n| path_of(session.view(), n));
             address.part = Some(AddressPart::Event(session.cursor().position()));
         }
-        let address = address.to_string();
+        address
+    }
+
+    /// The command that opens the debugger at what is shown.
+    pub fn open_command(&self) -> String {
+        let address = self.address().to_string();
         view_command(
             &self.options.scene,
             &self.world.scene,

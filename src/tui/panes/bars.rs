@@ -171,6 +171,8 @@ fn asked(model: &Model, prompt: Prompt, text: &str) -> String {
         (Prompt::GoTo, None) => "pixel or address".to_owned(),
         (Prompt::Set, _) if is_short => "set".to_owned(),
         (Prompt::Set, _) => "set (flag=value)".to_owned(),
+        (Prompt::Note, _) => "note".to_owned(),
+        (Prompt::Write, _) => "new file for the marks".to_owned(),
         (Prompt::Compare, _) if is_short => "compare".to_owned(),
         (Prompt::Compare, _) => "compare with X,Y, flag=value or a file".to_owned(),
     };

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::style::{Color, Modifier, Style};
 
 use super::theme;
-use crate::debug::Search;
+use crate::debug::QuerySearch;
 use crate::lab::show::{ShownRange, ShownValue};
 use crate::math::Rgb;
 use crate::tracer::image::ColorLevel;
@@ -26,7 +26,7 @@ pub fn draw(model: &Model, placement: &Placement, buffer: &mut Buffer) {
             ShownValue::Color(color) if model.show.is_none() => color * exposure,
             value => range.color(value),
         };
-        let is_left_out = |search: &Search| search.is_found(at) == Some(false);
+        let is_left_out = |search: &QuerySearch| search.is_found(at) == Some(false);
         let is_left_out = model.search.as_ref().is_some_and(is_left_out);
         Some(if is_left_out { color * DARKER } else { color })
     };

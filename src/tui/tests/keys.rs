@@ -70,3 +70,38 @@ fn help_opens_scrolls_and_closes() {
         "another key closes the help and does no more"
     );
 }
+
+/// The book's list of keys is made of the table; `RAYTREE_BOOK=1` makes it anew.
+#[test]
+fn the_book_lists_every_key() {
+    let sections = [
+        (Context::Picture, "choosing a pixel"),
+        (Context::Tree, "in the ray tree"),
+        (Context::Prompt, "typing"),
+        (Context::Effects, "among the effects"),
+        (Context::Always, "always"),
+    ];
+    let mut table = "| when | keys | |\n|---|---|---|\n".to_owned();
+    for (context, heading) in sections {
+        for binding in ACTIONS.iter().filter(|b| b.context == context) {
+            let keys: Vec<String> = binding.keys.iter().map(|(key, _)| key.label()).collect();
+            let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+            table += &[
+                "| ",
+                heading,
+                " | ",
+                &keys.join(" "),
+                " | ",
+                binding.doc,
+                " |\n",
+            ]
+            .concat();
+        }
+    }
+    let path = format!("{}/book/src/tables/key-list.md", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("RAYTREE_BOOK").is_some() {
+        std::fs::write(&path, &table).expect("written");
+    }
+    let written = std::fs::read_to_string(&path).unwrap_or_default();
+    assert_eq!(written, table, "RAYTREE_BOOK=1 makes it anew");
+}

@@ -122,3 +122,41 @@ fn the_samples_of_a_pixel_are_a_table_and_each_opens() {
         Some(2)
     );
 }
+
+#[test]
+fn marks_are_walked_and_written_and_opened_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("question.json");
+    let path = path.to_str().expect("UTF-8");
+    let mut app = opened(120, 40);
+    keys(&mut app, "'");
+    assert!(text(&app).contains("nothing is marked"), "{}", text(&app));
+    keys(&mut app, "gnr");
+    enter(&mut app, "Mwhy R?");
+    assert!(text(&app).contains("mark 1 of 1: why R?"), "{}", text(&app));
+    let marked = app.model.address();
+    enter(&mut app, ":3,4");
+    enter(&mut app, "M");
+    keys(&mut app, "'");
+    settle(&mut app);
+    assert_eq!(app.model.address(), marked);
+    assert!(text(&app).contains("mark 1 of 2"), "{}", text(&app));
+    enter(&mut app, &format!("W{path}"));
+    assert!(text(&app).contains("2 marks are in"), "{}", text(&app));
+    // No file is replaced.
+    enter(&mut app, &format!("W{path}"));
+    assert!(text(&app).contains("cannot be written"), "{}", text(&app));
+
+    let written = std::fs::read_to_string(path).expect("written");
+    let marks = crate::debug::marks::Marks::from_json(&written).expect("marks");
+    let size = (marks.size[0], marks.size[1]);
+    let mut there = super::support::app_with(90, 30, |options| {
+        options.size = Some(size);
+        options.marks = Some(marks);
+    });
+    settle(&mut there);
+    assert!(text(&there).contains("2 marks"), "{}", text(&there));
+    keys(&mut there, "'");
+    settle(&mut there);
+    assert_eq!(there.model.address(), marked);
+}

@@ -62,6 +62,7 @@ pub fn of_loaded(
         threads: 2,
         size: None,
         at: None,
+        marks: None,
     };
     change(&mut options);
     Program::new(world, settings, options, Rect::new(0, 0, width, height))

@@ -1,6 +1,6 @@
 //! Actions of the table of keys.
 
-use super::{convergence, effects, image, play, prompt, rows, search, set};
+use super::{convergence, effects, image, marks, play, prompt, rows, search, set};
 use crate::tui::model::{Action, Job, Model, Overlay, Prompt, Request, inside};
 
 /// Does what a user asks for.
@@ -55,6 +55,9 @@ pub fn act(model: &mut Model, action: Action) {
         Action::Samples => samples(model),
         Action::Compare => prompt::ask(model, Prompt::Compare),
         Action::MoreSamples(of_lights, more) => set::samples(model, of_lights, more),
+        Action::Mark => prompt::ask(model, Prompt::Note),
+        Action::NextMark => marks::next(model),
+        Action::WriteMarks => prompt::ask(model, Prompt::Write),
         Action::NextSeed => set::next_seed(model),
         Action::Undo => set::undo(model),
         Action::Ready(next) => prompt::ready(model, next),

@@ -11,6 +11,15 @@ pub fn start(model: &mut Model) {
     let (width, height) = model.picture.size;
     // From now on it stays: another window shows another part of it, and the same pixels.
     model.options.size = Some((width, height));
+    match model.options.marks.take() {
+        Some(marks) => {
+            model.marked = marks.marks.len().saturating_sub(1);
+            let count = marks.marks.len();
+            model.message = Some(format!("{count} marks: ' goes to the next"));
+            model.marks = marks;
+        }
+        None => model.marks.size = [width, height],
+    }
     model.picture.cursor = (width / 2, height / 2);
     let at = model.options.at.as_ref().map(|at| at.pixel);
     let is_inside = |(x, y): &(u32, u32)| *x < width && *y < height;

@@ -8,6 +8,8 @@ use strum::VariantArray as _;
 use super::convergence;
 use crate::debug::pick::description;
 use crate::lab::show::ShowMode;
+use crate::trace::Address;
+use crate::trace::facts::TreePath;
 use crate::tui::model::layout::Shown;
 use crate::tui::model::{Job, Model, Panes};
 
@@ -70,6 +72,30 @@ pub fn redo(model: &mut Model) {
     if model.session.is_some() || model.waiting.is_some() {
         open(model);
     }
+}
+
+/// Goes to an address: to its pixel, and into its tree if it names a ray or if a tree is open.
+pub fn go_to(model: &mut Model, address: Address) -> Result<(), String> {
+    let (width, height) = model.picture.size;
+    let (x, y) = address.pixel;
+    if x >= width || y >= height {
+        return Err(format!(
+            "pixel {x},{y} is outside the picture of {width}x{height}"
+        ));
+    }
+    if let Some(session) = &mut model.session
+        && address.pixel == (session.trace.x, session.trace.y)
+    {
+        return session.go_to_address(&address);
+    }
+    model.picture.cursor = address.pixel;
+    moved(model);
+    let is_ray = address.path != TreePath::default() || address.part.is_some();
+    if is_ray || model.session.is_some() {
+        model.options.at = Some(address);
+        open(model);
+    }
+    Ok(())
 }
 
 /// Searches the picture anew: it is another one.

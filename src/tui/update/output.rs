@@ -34,7 +34,9 @@ pub fn take_in(model: &mut Model, output: JobOutput) {
         JobOutput::Searched => search::finished(model),
         JobOutput::Traced(mut session) => {
             if let Some(address) = model.options.at.take() {
-                model.message = session.go_to_address(&address).err();
+                if let Err(problem) = session.go_to_address(&address) {
+                    model.message = Some(problem);
+                }
             } else if let Some(search) = &model.search {
                 session.find_first(&search.query);
             }

@@ -1,8 +1,7 @@
 //! Prompt: a text that is typed, to go somewhere, to search, to change a setting, to compare.
 
-use super::{compare, image, search, set};
+use super::{compare, image, marks, search, set};
 use crate::debug::search::READY;
-use crate::trace::Address;
 use crate::tui::model::{Model, Overlay, Prompt};
 
 /// Settings to begin with.
@@ -51,7 +50,7 @@ pub fn ready(model: &mut Model, next: bool) {
         Prompt::Search => &READY,
         Prompt::Compare => &compare::READY,
         Prompt::Set => &SETTINGS,
-        Prompt::GoTo => return,
+        Prompt::GoTo | Prompt::Note | Prompt::Write => return,
     };
     let count = texts.len();
     let at = texts.iter().position(|ready| ready == text);
@@ -70,7 +69,12 @@ pub fn accept(model: &mut Model) {
         return;
     };
     let done = match prompt {
+        Prompt::Note => {
+            marks::mark(model, text.trim());
+            Ok(())
+        }
         _ if text.trim().is_empty() => Ok(()),
+        Prompt::Write => marks::write(model, text.trim()),
         Prompt::GoTo => go_to(model, text.trim()),
         Prompt::Search => search::start(model, text.trim()),
         Prompt::Set => set::typed(model, text.trim()),
@@ -104,28 +108,7 @@ fn go_to(model: &mut Model, text: &str) -> Result<(), String> {
     } else {
         text.to_owned()
     };
-    let address: Address = address.parse()?;
-    let (width, height) = model.picture.size;
-    let (x, y) = address.pixel;
-    if x >= width || y >= height {
-        return Err(format!(
-            "pixel {x},{y} is outside the picture of {width}x{height}"
-        ));
-    }
-    if let Some(session) = &mut model.session
-        && address.pixel == model.picture.cursor
-    {
-        return session.go_to_address(&address);
-    }
-    model.picture.cursor = address.pixel;
-    image::moved(model);
-    let is_ray =
-        address.path.sample > 0 || !address.path.steps.is_empty() || address.part.is_some();
-    if is_ray || model.session.is_some() {
-        model.options.at = Some(address);
-        image::open(model);
-    }
-    Ok(())
+    image::go_to(model, address.parse()?)
 }
 
 /// Copies the command that opens the debugger here.

@@ -1,12 +1,12 @@
 //! Search: a query, what it finds in the picture and in the open tree.
 
 use super::image;
-use crate::debug::Search;
+use crate::debug::QuerySearch;
 use crate::tui::model::{Job, Model};
 
 /// Begins to search for a query; in an open tree also for the next ray that satisfies it.
 pub fn start(model: &mut Model, text: &str) -> Result<(), String> {
-    let mut search = Search::new(text, model.picture.size.0)?;
+    let mut search = QuerySearch::new(text, model.picture.size.0)?;
     if let Some(session) = &mut model.session {
         model.message = Some(
             session
