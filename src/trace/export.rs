@@ -3,7 +3,6 @@
 mod dot;
 mod html;
 pub mod json;
-
 mod phrases;
 mod ray_lines;
 mod svg;

@@ -10,7 +10,7 @@ use super::shadow_batch::{Prefetched, ShadowBatch};
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
 use crate::scene::{Effect, Settings};
-use crate::shading::{Interaction, ShadingPoint};
+use crate::shading::{Area, Interaction, ShadingPoint};
 use crate::world::World;
 
 /// Shadow rays of a pixel that are prefetched at most; a light with more is sampled hit by hit. It bounds the memory.
@@ -104,20 +104,43 @@ impl TileBatch {
 
     /// Samples a light at all hit points.
     fn sample_light(&mut self, world: &World, settings: &Settings, light: u32, count: u32) {
+        match world.scene.lights[light as usize].kind.area() {
+            Some(area) => self.sample_area(world, settings, (light, area), count),
+            None => self.sample_point(world, settings, light),
+        }
+    }
+
+    /// Samples a light without area: one ray from each hit point.
+    fn sample_point(&mut self, world: &World, settings: &Settings, light: u32) {
         let scene = &world.scene;
         let kind = &scene.lights[light as usize].kind;
-        for ((sample, hit), at) in self.samples.iter().zip(&self.hits).zip(&self.points) {
+        for (hit, at) in self.hits.iter().zip(&self.points) {
             if let (Some(hit), Some(at)) = (hit, at) {
                 let material = scene.material_of(hit.primitive);
                 let point = ShadingPoint::new(at, material, settings.effects);
-                if let Some(area) = kind.area() {
-                    let id = (sample.path, light);
-                    let sampler = AreaSampler::new(settings, &point, area, id);
-                    self.shadow.sample(&sampler, count);
-                } else {
-                    let sampler = PointSampler::new(settings, &point, kind);
-                    self.shadow.sample(&sampler, 1);
-                }
+                let sampler = PointSampler::new(settings, &point, kind);
+                self.shadow.sample(&sampler, 1);
+            } else {
+                self.shadow.skip(1);
+            }
+        }
+    }
+
+    /// Samples a light with an area. (Never inlined, so that scenes without such lights pay nothing for it.)
+    #[inline(never)]
+    fn sample_area(
+        &mut self,
+        world: &World,
+        settings: &Settings,
+        (light, area): (u32, &Area),
+        count: u32,
+    ) {
+        for ((sample, hit), at) in self.samples.iter().zip(&self.hits).zip(&self.points) {
+            if let (Some(hit), Some(at)) = (hit, at) {
+                let material = world.scene.material_of(hit.primitive);
+                let point = ShadingPoint::new(at, material, settings.effects);
+                let sampler = AreaSampler::new(settings, &point, area, (sample.path, light));
+                self.shadow.sample(&sampler, count);
             } else {
                 self.shadow.skip(count);
             }
