@@ -62,17 +62,16 @@ impl<'a> FileReader<'a> {
         } else {
             0
         };
-        loop {
+        let mut cut = loop {
             at = start_of_document(self.bytes, at);
             if at == self.bytes.len() {
-                break;
+                break None;
             }
             if let Some(problem) = self.too_much() {
-                self.fail(at, String::new(), problem, &PixelName::default());
-                break;
+                break Some(problem);
             }
             at = self.document(&mut tape, at);
-        }
+        };
         let (file, lines) = (self.name, self.lines);
         let finished = self.found.into_iter().map(|found| match found {
             Found::Done(answer) => answer,
@@ -80,7 +79,20 @@ impl<'a> FileReader<'a> {
                 ReadError::new(file, lines, broken.at, broken.field, broken.problem).of(&name)
             }),
         });
-        finished.collect()
+        // Whether the lines about a pixel fit together is known only now, and counts as well.
+        let mut errors = 0;
+        let mut answers: Vec<_> = finished
+            .filter(|answer| {
+                errors += usize::from(answer.is_err());
+                answer.is_ok() || errors <= MAX_ERRORS
+            })
+            .collect();
+        if errors > MAX_ERRORS {
+            cut = cut.or_else(|| Some(too_many_errors()));
+        }
+        let cut = cut.map(|problem| ReadError::new(file, lines, at, String::new(), problem));
+        answers.extend(cut.map(|error| Err(error.of(&PixelName::default()))));
+        answers
     }
 
     /// Why nothing more of the file is read.
@@ -96,10 +108,7 @@ impl<'a> FileReader<'a> {
                 "write only the pixels that are asked for",
             )
         } else if self.errors >= MAX_ERRORS {
-            (
-                format!("has more than {MAX_ERRORS} errors; the rest is not read"),
-                "mend the first ones",
-            )
+            return Some(too_many_errors());
         } else {
             return None;
         };
@@ -222,6 +231,12 @@ impl<'a> FileReader<'a> {
         self.found.push(Found::Done(Err(error.of(name))));
         self.errors += 1;
     }
+}
+
+/// Why no more errors are told.
+fn too_many_errors() -> Problem {
+    let what = format!("has more than {MAX_ERRORS} errors; the rest is not read");
+    Problem::new(what, "mend the first ones")
 }
 
 /// Where the next document begins: behind white space, and behind the brackets and commas of a list of documents.

@@ -338,3 +338,22 @@ fn documents_stand_in_lists_and_on_many_lines() {
             .is_err_and(|e| e.to_string().contains("UTF-16"))
     );
 }
+
+/// What is wrong with the lines about a pixel is known at the end of the file, and counts among the errors as well.
+#[test]
+fn no_more_errors_are_told_than_the_limit_says() {
+    // Each pixel has a line whose parent is told nowhere.
+    let line = |n: usize| format!("{{\"pixel\":[{n},0],\"kind\":\"L\",\"id\":7,\"parent\":11}}\n");
+    let lines: Vec<String> = (0..limits::MAX_ERRORS + 200).map(line).collect();
+    for broken in ["", "{\"pixel\" 1}\n"] {
+        let answers = all(&[&lines.concat(), broken].concat());
+        let errors = answers.iter().filter(|answer| answer.is_err()).count();
+        assert_eq!(
+            (answers.len(), errors),
+            (limits::MAX_ERRORS + 1, limits::MAX_ERRORS + 1)
+        );
+        let last = answers.last().and_then(|answer| answer.as_ref().err());
+        let told = last.map(ToString::to_string).unwrap_or_default();
+        assert!(told.contains("more than 1000 errors"), "{told}");
+    }
+}
