@@ -11,6 +11,7 @@ pub mod follow;
 pub mod marks;
 pub mod output;
 pub mod picture;
+pub mod pixel_tree;
 pub mod quantity;
 pub mod report;
 pub mod run;

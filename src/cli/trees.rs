@@ -1,15 +1,12 @@
 //! Ray trees that commands take: those of a pixel of a scene, and those in files.
 
-use std::fs::{self, File};
-use std::io::{self, Read as _};
 use std::path::Path;
 
 use super::Failure;
+use crate::grade::pixel_tree::{self, TreeFileError};
 use crate::scene::Settings;
-use crate::trace::facts::{PixelFacts, TreePath, pixel_facts};
-use crate::trace::read::limits::MAX_TREE_FILE_BYTES;
-use crate::trace::read::read_trees;
-use crate::trace::{Address, View, document, trace_pixel};
+use crate::trace::Address;
+use crate::trace::facts::{PixelFacts, TreePath};
 use crate::world::World;
 
 /// One side of a comparison.
@@ -55,56 +52,13 @@ pub fn facts_of(
         let what = format!("pixel {x},{y} is outside the picture of {width}x{height} (see --size)");
         return Err(Failure::Usage(what));
     }
-    let trace = trace_pixel(world, settings, pixel, false);
-    let view = View {
-        world,
-        settings,
-        trace: &trace,
-    };
-    Ok(pixel_facts(&document::of(view)))
+    Ok(pixel_tree::traced(world, settings, pixel))
 }
 
 /// The facts of a pixel in a file: of the only one there if it does not tell its pixel.
 pub fn read_file(path: &str, pixel: Option<(u32, u32)>) -> Result<PixelFacts, Failure> {
-    let bytes = bytes_of(path)
-        .map_err(|source| Failure::Usage(format!("{path}: cannot be read: {source}")))?;
-    let mut problems = Vec::new();
-    let mut trees = Vec::new();
-    for tree in read_trees(&bytes, path) {
-        match tree {
-            Ok(tree) => trees.push(tree),
-            Err(error) => problems.push(error.to_string()),
-        }
-    }
-    let only = trees.len() == 1;
-    let wanted = |tree: &PixelFacts| match (tree.pixel, pixel) {
-        (Some(there), Some(wanted)) => there == wanted,
-        _ => only,
-    };
-    let found = trees.into_iter().find(wanted);
-    found.ok_or_else(|| {
-        Failure::Input(match (problems.first(), pixel) {
-            (Some(problem), _) => problem.clone(),
-            (None, Some((x, y))) => format!("{path}: has no tree of pixel {x},{y}"),
-            (None, None) => {
-                format!("{path}: has trees of several pixels; name a scene and a pixel: SCENE@X,Y")
-            }
-        })
+    pixel_tree::in_file(path, pixel).map_err(|error| match error {
+        TreeFileError::Unread(..) => Failure::Usage(error.to_string()),
+        TreeFileError::Content(what) => Failure::Input(what),
     })
-}
-
-/// The bytes of a regular file, or of standard input; one more than is allowed where there are more. A pipe or a device could be
-/// read for ever.
-fn bytes_of(path: &str) -> io::Result<Vec<u8>> {
-    let most = MAX_TREE_FILE_BYTES as u64 + 1;
-    let mut bytes = Vec::new();
-    if path == "-" {
-        io::stdin().lock().take(most).read_to_end(&mut bytes)?;
-    } else if !fs::metadata(path)?.is_file() {
-        let what = "it is no regular file; give its bytes to standard input, and - as its name";
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, what));
-    } else {
-        File::open(path)?.take(most).read_to_end(&mut bytes)?;
-    }
-    Ok(bytes)
 }

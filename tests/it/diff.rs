@@ -6,8 +6,10 @@ use assert_cmd::Command;
 use raytree::accel::AccelKind;
 use raytree::grade::diff::TreeDiff;
 use raytree::grade::follow::PixelReference;
+use raytree::grade::pixel_tree;
 use raytree::grade::quantity::QuantityKind;
 use raytree::grade::tolerance::Tolerances;
+use raytree::scene::limits::MAX_DEPTH;
 use raytree::scene::{self, Bend, Settings};
 use raytree::trace::facts::{PixelFacts, pixel_facts};
 use raytree::trace::{View, document, trace_pixel};
@@ -256,4 +258,21 @@ fn quantities_have_names() {
     for name in ["outcome", "t", "geometric_normal", "srgb8", "lit"] {
         assert_eq!(QuantityKind::from_str(name).expect(name).name(), name);
     }
+}
+
+#[test]
+fn the_deepest_tree_needs_no_deep_stack_of_the_caller() {
+    let (world, settings) = world("mirrors");
+    let settings = settings.with(|s| {
+        s.recursion.depth = MAX_DEPTH;
+        s.recursion.min_weight = 0.0;
+    });
+    let small = std::thread::Builder::new().stack_size(256 << 10);
+    let traced = move || pixel_tree::traced(&world, &settings, (80, 60));
+    let tree = small
+        .spawn(traced)
+        .expect("a thread")
+        .join()
+        .expect("a tree");
+    assert!(tree.rays.len() > 20, "{}", tree.rays.len());
 }

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::grade::pixel_tree;
 use crate::scene::Settings;
-use crate::trace::facts::{PixelFacts, pixel_facts};
-use crate::trace::{View, document, trace_pixel_here};
+use crate::trace::facts::PixelFacts;
 use crate::world::World;
 
 /// Pixels of a check at most.
@@ -25,10 +25,5 @@ pub struct TaskScene {
 
 /// Our tree of a pixel.
 pub fn reference(scene: &TaskScene, settings: &Settings, at: (u32, u32)) -> PixelFacts {
-    let trace = trace_pixel_here(&scene.world, settings, at, false);
-    pixel_facts(&document::of(View {
-        world: &scene.world,
-        settings,
-        trace: &trace,
-    }))
+    pixel_tree::traced_here(&scene.world, settings, at)
 }
