@@ -2,19 +2,24 @@
 //!
 //! Nothing here knows a terminal, a key or a layout; the faces draw what is computed here.
 
+pub mod breaks;
 pub mod convergence;
 pub mod cursor;
 pub mod drawing;
 pub mod effects;
 pub mod extent;
+pub mod landmarks;
 pub mod marks;
+pub mod origin;
 pub mod outline;
 pub mod pick;
 pub mod picture;
 pub mod progressive;
 pub mod projection;
+pub mod ranking;
 pub mod row_text;
 pub mod rows;
+pub mod running;
 pub mod samples;
 pub mod search;
 pub mod session;

@@ -16,6 +16,7 @@ pub mod quantity;
 pub mod report;
 pub mod run;
 pub mod selftest;
+pub mod side_by_side;
 pub mod submission;
 pub mod task;
 pub mod tolerance;

@@ -29,7 +29,7 @@ pub struct View {
     no_mouse: bool,
     #[arg(long, value_name = "ADDRESS", help = address::HELP)]
     at: Option<Address>,
-    /// Open the marks of this file, as W writes them; the picture has their size
+    /// Open the marks of this file, as " writes them; the picture has their size
     #[arg(long, value_name = "FILE")]
     marks: Option<PathBuf>,
     #[command(flatten)]
@@ -61,6 +61,7 @@ impl View {
             size,
             at,
             marks,
+            folder: PathBuf::new(),
         };
         tui::run(world, settings, options).map_err(Failure::Terminal)?;
         Ok(Completion::Whole)

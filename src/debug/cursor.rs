@@ -20,6 +20,14 @@ pub enum StepCommand {
     NextRay(RayKind),
     /// To the ray of a kind before here.
     PreviousRay(RayKind),
+    /// To the next ray, of any kind.
+    NextSent,
+    /// To the ray before here, of any kind.
+    PreviousSent,
+    /// To the next ray in the order of levels: all rays of a depth, then those that are deeper.
+    NextOfLevel,
+    /// To the ray before this one in the order of levels.
+    PreviousOfLevel,
     /// To the next ray that is not sent.
     NextAbsent,
     /// To the ray that is not sent before here.
@@ -69,8 +77,12 @@ impl Cursor {
             StepCommand::Out => Some(self.out(tree)),
             StepCommand::Start => Some(Self::start()),
             StepCommand::End => Some(Self::end(tree)),
-            StepCommand::NextRay(kind) => self.next_ray(tree, kind),
-            StepCommand::PreviousRay(kind) => self.previous_ray(tree, kind),
+            StepCommand::NextRay(kind) => self.next_ray(tree, |k| k == kind),
+            StepCommand::PreviousRay(kind) => self.previous_ray(tree, |k| k == kind),
+            StepCommand::NextSent => self.next_ray(tree, |_| true),
+            StepCommand::PreviousSent => self.previous_ray(tree, |_| true),
+            StepCommand::NextOfLevel => self.of_level(tree, true),
+            StepCommand::PreviousOfLevel => self.of_level(tree, false),
             StepCommand::NextAbsent => self.next_absent(tree),
             StepCommand::PreviousAbsent => self.previous_absent(tree),
         }
@@ -118,22 +130,37 @@ impl Cursor {
         Self::at(tree, tree.node(node).last_event as usize)
     }
 
-    /// The next ray of a kind, if there is one behind here.
-    pub fn next_ray(self, tree: &RayTree, kind: RayKind) -> Option<Self> {
+    /// The next ray of one of the kinds, if there is one behind here.
+    pub fn next_ray(self, tree: &RayTree, kinds: impl Fn(RayKind) -> bool) -> Option<Self> {
         let after = tree
             .nodes
             .partition_point(|n| n.first_event as usize <= self.position);
-        let node = tree.nodes[after..].iter().find(|n| n.ray.kind == kind)?;
+        let node = tree.nodes[after..].iter().find(|n| kinds(n.ray.kind))?;
         Some(Self::at(tree, node.first_event as usize))
     }
 
-    /// The ray of a kind before here, if there is one.
-    pub fn previous_ray(self, tree: &RayTree, kind: RayKind) -> Option<Self> {
+    /// The ray of one of the kinds before here, if there is one.
+    pub fn previous_ray(self, tree: &RayTree, kinds: impl Fn(RayKind) -> bool) -> Option<Self> {
         let before = tree
             .nodes
             .partition_point(|n| (n.first_event as usize) < self.position);
-        let node = tree.nodes[..before].iter().rfind(|n| n.ray.kind == kind)?;
+        let node = tree.nodes[..before].iter().rfind(|n| kinds(n.ray.kind))?;
         Some(Self::at(tree, node.first_event as usize))
+    }
+
+    /// The next ray (the one before, if not `forward`) in the order of levels, if there is one.
+    fn of_level(self, tree: &RayTree, forward: bool) -> Option<Self> {
+        let place = |n: &u32| (tree.node(*n).ray.depth, *n);
+        let here = tree.node_of_event(self.position).map(|n| place(&n));
+        let all = 0..tree.nodes.len() as u32;
+        let node = if forward {
+            all.filter(|n| here.is_none_or(|here| place(n) > here))
+                .min_by_key(place)
+        } else {
+            all.filter(|n| here.is_some_and(|here| place(n) < here))
+                .max_by_key(place)
+        };
+        Some(Self::at_node(tree, node?))
     }
 
     /// The next ray that is not sent, if there is one behind here.

@@ -149,10 +149,10 @@ fn guides(session: &Session, row: TreeRow, shift: usize) -> String {
             (false, false) => "│ ",
         });
         own = false;
-        let Some(parent) = TreeRows::parent(tree, at) else {
+        let Some(above) = session.rows.above(tree, at) else {
             break;
         };
-        at = TreeRow::ray(tree, parent);
+        at = above;
     }
     if shift > 0 {
         parts.push("…");

@@ -6,7 +6,7 @@
 
 use std::collections::HashSet;
 
-use crate::probe::Event;
+use crate::probe::{Event, NONE};
 use crate::scene::limits::MAX_LIGHT_SAMPLES;
 use crate::trace::RayTree;
 
@@ -24,6 +24,8 @@ pub struct TreeRow {
     pub node: u32,
     /// What it stands for.
     pub kind: RowKind,
+    /// The number, among all rows, of the bundle that it belongs to, or [`NONE`].
+    bundle: u32,
 }
 
 /// What a row stands for.
@@ -45,6 +47,7 @@ impl TreeRow {
             end: tree.node(node).last_event,
             node,
             kind: RowKind::Ray,
+            bundle: NONE,
         }
     }
 }
@@ -82,6 +85,7 @@ impl TreeRows {
                 RowKind::Ray => tree.node(node).last_event,
                 RowKind::Absent | RowKind::LightSamples => event,
             };
+            let mut of_bundle = NONE;
             if let Event::LightSamples { light, .. } = what {
                 bundle = Some((all.len(), node, *light));
                 closed.insert(event);
@@ -89,12 +93,14 @@ impl TreeRows {
                 && (sender, light) == (Some(sent_by), Some(to))
             {
                 all[row].end = end;
+                of_bundle = row as u32;
             }
             all.push(TreeRow {
                 event,
                 end,
                 node,
                 kind,
+                bundle: of_bundle,
             });
         }
         let mut rows = Self {
@@ -211,7 +217,14 @@ impl TreeRows {
 
     /// How deep a row stands in the tree.
     pub fn depth(tree: &RayTree, row: TreeRow) -> u32 {
-        tree.node(row.node).ray.depth + u32::from(row.kind != RowKind::Ray)
+        let in_bundle = u32::from(row.bundle != NONE);
+        tree.node(row.node).ray.depth + u32::from(row.kind != RowKind::Ray) + in_bundle
+    }
+
+    /// The row on which a row hangs: of its bundle, or of a ray.
+    pub fn above(&self, tree: &RayTree, row: TreeRow) -> Option<TreeRow> {
+        let bundle = self.all.get(row.bundle as usize).copied();
+        bundle.or_else(|| Self::parent(tree, row).map(|parent| TreeRow::ray(tree, parent)))
     }
 
     /// The ray on whose hit a row hangs.
@@ -222,13 +235,13 @@ impl TreeRows {
         }
     }
 
-    /// True if no row behind this one hangs on the same ray.
+    /// True if no row behind this one hangs on what this one hangs on.
     pub fn is_last(&self, tree: &RayTree, row: TreeRow) -> bool {
-        let Some(parent) = Self::parent(tree, row) else {
+        let Some(above) = self.above(tree, row) else {
             return true;
         };
         let next = self.all.get(self.behind(row.end));
-        next.is_none_or(|next| next.event > tree.node(parent).last_event)
+        next.is_none_or(|next| next.event > above.end)
     }
 
     /// True if anything hangs on a row.

@@ -1,45 +1,49 @@
 //! Samples of a pixel as a table: where on the film each is, what it brings, what of that is the pixel.
 
-use std::fmt::Write as _;
-
 use super::session::Session;
 use crate::trace::format::{counted, num, rgb};
 
 /// Samples that are listed at most.
 const LISTED: usize = 1000;
 
+/// The samples of a pixel in words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SampleTable {
+    /// How many there are, and their sum.
+    pub head: String,
+    /// The number of each, and what it brings.
+    pub lines: Vec<(u32, String)>,
+}
+
 /// A line a sample, and their sum.
-pub fn samples(session: &Session) -> String {
+pub fn samples(session: &Session) -> SampleTable {
     let tree = session.tree();
-    let mut text = format!("{}\n", counted(tree.samples.len() as u64, "sample"));
+    let mut lines = Vec::new();
     for sample in tree.samples.iter().take(LISTED) {
         let (number, weight) = (sample.index, num(sample.weight));
         let [x, y] = sample.film.map(num);
-        let Some(root) = sample.root else {
-            let _ = writeln!(
-                text,
-                "  :{number}  at ({x}, {y}), weight {weight}: the log was full"
-            );
-            continue;
+        let what = match sample.root {
+            Some(root) => {
+                let node = tree.node(root);
+                format!(
+                    "at ({x}, {y}), {}: weight {weight} x radiance {} = {}",
+                    counted(u64::from(node.size), "ray"),
+                    rgb(node.radiance),
+                    rgb(node.radiance * sample.weight)
+                )
+            }
+            None => format!("at ({x}, {y}), weight {weight}: the log was full"),
         };
-        let node = tree.node(root);
-        let brought = node.radiance * sample.weight;
-        let rays = counted(u64::from(node.size), "ray");
-        let _ = writeln!(
-            text,
-            "  :{number}  at ({x}, {y}), {rays}: weight {weight} x radiance {} = {}",
-            rgb(node.radiance),
-            rgb(brought)
-        );
+        lines.push((number, format!(":{number}  {what}")));
     }
-    if tree.samples.len() > LISTED {
-        let more = tree.samples.len() - LISTED;
-        let _ = writeln!(text, "  and {more} more");
+    let count = counted(tree.samples.len() as u64, "sample");
+    let more = match tree.samples.len() - lines.len() {
+        0 => String::new(),
+        more => format!(", the last {more} of them not listed"),
+    };
+    let sum = rgb(session.trace.pixel.color);
+    SampleTable {
+        head: format!("{count}{more}. Their sum is the pixel: {sum}"),
+        lines,
     }
-    let _ = writeln!(text, "sum: the pixel is {}", rgb(session.trace.pixel.color));
-    let _ = writeln!(
-        text,
-        "`:` and the number, such as :2, opens the tree of a sample"
-    );
-    text
 }

@@ -126,22 +126,36 @@ impl Session {
         let here = self.cursor().position();
         let event = |node: u32| query.event(self.view(), node);
         let all = 0..tree.nodes.len() as u32;
-        let found = if forward {
-            all.clone().find_map(|n| event(n).filter(|at| *at > here))
+        let mut events = all.clone().filter_map(event);
+        let (found, around) = if forward {
+            let first = events.next();
+            let next = first
+                .filter(|at| *at > here)
+                .or_else(|| events.find(|at| *at > here));
+            (next.or(first), next.is_none())
         } else {
-            all.clone()
-                .rev()
-                .find_map(|n| event(n).filter(|at| *at < here))
+            let mut back = all.clone().rev().filter_map(event);
+            let last = back.next();
+            let next = last
+                .filter(|at| *at < here)
+                .or_else(|| back.find(|at| *at < here));
+            (next.or(last), next.is_none())
         };
         let Some(found) = found else {
-            let where_to = if forward { "after" } else { "before" };
-            return Err(format!("no ray {where_to} this one satisfies it"));
+            return Err("no ray of this tree satisfies it".to_owned());
         };
         let mut told = String::new();
         if tree.nodes.len() <= COUNTED {
             let events: Vec<usize> = all.filter_map(event).collect();
             let number = events.iter().filter(|at| **at <= found).count();
             told = format!("ray {number} of {} that satisfy it", events.len());
+        }
+        if around {
+            told += match (found == here, forward) {
+                (true, _) => " (there is no other)",
+                (false, true) => " (from the start again)",
+                (false, false) => " (from the end again)",
+            };
         }
         self.go(Cursor::at(self.tree(), found));
         Ok(told)

@@ -1,10 +1,12 @@
 //! Debugging session of a pixel: its recording, the cursor in its log, and the rows of its tree.
 
+use std::cell::OnceCell;
 use std::ops::Range;
 use std::sync::Arc;
 
 use super::cursor::{Cursor, StepCommand, traversal_end};
 use super::extent;
+use super::landmarks::Landmarks;
 use super::rows::TreeRows;
 use crate::geometry::Aabb;
 use crate::scene::Settings;
@@ -26,6 +28,7 @@ pub struct Session {
     pub extent: Aabb,
     cursor: Cursor,
     steps: Range<usize>,
+    landmarks: OnceCell<Landmarks>,
 }
 
 impl Session {
@@ -46,6 +49,7 @@ impl Session {
             extent: Aabb::EMPTY,
             cursor: Cursor::start(),
             steps: 0..0,
+            landmarks: OnceCell::new(),
         };
         session.extent = extent::extent(session.view());
         session.go(Cursor::start());
@@ -64,6 +68,11 @@ impl Session {
     /// The tree.
     pub fn tree(&self) -> &RayTree {
         &self.trace.tree
+    }
+
+    /// What break points have to know of the whole tree; found once.
+    pub fn landmarks(&self) -> &Landmarks {
+        self.landmarks.get_or_init(|| Landmarks::new(self.view()))
     }
 
     /// The current event.
@@ -89,13 +98,26 @@ impl Session {
     /// Follows a command; an error says why the cursor stays.
     pub fn step(&mut self, command: StepCommand) -> Result<(), String> {
         if let Some(cursor) = self.cursor.after(command, self.tree()) {
+            let stays = cursor == self.cursor;
             self.go(cursor);
-            return Ok(());
+            return match command {
+                StepCommand::Back if stays => Err("this is the first event".to_owned()),
+                StepCommand::Forward | StepCommand::Over | StepCommand::Out if stays => {
+                    Err("this is the last event".to_owned())
+                }
+                _ => Ok(()),
+            };
         }
         match command {
             StepCommand::NextRay(kind) => Err(format!("no {} ray comes after this", kind.letter())),
             StepCommand::PreviousRay(kind) => {
                 Err(format!("no {} ray comes before this", kind.letter()))
+            }
+            StepCommand::NextSent | StepCommand::NextOfLevel => {
+                Err("this is the last ray".to_owned())
+            }
+            StepCommand::PreviousSent | StepCommand::PreviousOfLevel => {
+                Err("this is the first ray".to_owned())
             }
             StepCommand::NextAbsent => Err("all rays after this are sent".to_owned()),
             StepCommand::PreviousAbsent => Err("all rays before this are sent".to_owned()),

@@ -10,11 +10,13 @@ mod ray;
 mod screen;
 mod shapes;
 mod source;
+mod source_text;
 mod surface;
 mod term;
 mod traversal;
 
 pub use source::SourcePlace;
+pub use source_text::source_text;
 
 use super::View;
 use super::format::rgb;

@@ -2,8 +2,10 @@
 
 pub mod action;
 pub mod bindings;
+pub mod examples;
 pub mod key;
 pub mod layout;
+pub mod list;
 pub mod message;
 pub mod options;
 pub mod placement;
@@ -13,4 +15,4 @@ pub use action::{Action, Context};
 pub use layout::{Pane, Panes, inside};
 pub use message::{Job, JobOutput, Message, Mouse};
 pub use options::Options;
-pub use state::{Model, Overlay, Play, Prompt, Request};
+pub use state::{Model, Overlay, Play, PlayUnit, Prompt, Request, Running};

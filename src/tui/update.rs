@@ -5,14 +5,18 @@ mod compare;
 mod convergence;
 mod dispatch;
 mod effects;
+mod history;
 mod image;
 mod keys;
 mod marks;
 mod mouse;
 mod output;
+mod places;
 mod play;
 mod prompt;
+mod ranking;
 mod rows;
+mod run;
 mod search;
 mod set;
 

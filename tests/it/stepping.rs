@@ -78,11 +78,11 @@ proptest! {
             prop_assert!(far.position() >= here.position());
         }
         for kind in RayKind::ALL {
-            if let Some(ray) = here.next_ray(tree, kind) {
+            if let Some(ray) = here.next_ray(tree, |k| k == kind) {
                 prop_assert!(ray.position() > here.position());
                 let is_kind = matches!(tree.events[ray.position()], Event::Ray(sent) if sent.kind == kind);
                 prop_assert!(is_kind);
-                prop_assert!(ray.step(tree).previous_ray(tree, kind) == Some(ray));
+                prop_assert!(ray.step(tree).previous_ray(tree, |k| k == kind) == Some(ray));
             }
         }
     }

@@ -224,3 +224,37 @@ fn the_rule_of_telling_can_fail() {
     fails(&told("fn f() { self.probe.event(Event::Miss) }"), "tell!");
     holds(&told("fn f() { tell!(self.probe, Event::Miss) }"));
 }
+
+/// What lies at the top of the checkout, with what tools and builds put there.
+const TOP: [&str; 20] = [
+    ".ci",
+    ".git",
+    ".gitignore",
+    ".github",
+    "ARCHITECTURE.md",
+    "CHANGELOG.md",
+    "Cargo.lock",
+    "Cargo.toml",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "README.md",
+    "benches",
+    "book",
+    "clippy.toml",
+    "examples",
+    "lessons",
+    "scenes",
+    "src",
+    "target",
+    "tests",
+];
+
+#[test]
+fn nothing_else_lies_at_the_top() {
+    let top = fs::read_dir(env!("CARGO_MANIFEST_DIR")).expect("the checkout");
+    let names = top.map(|entry| entry.expect("an entry").file_name());
+    let strange: Vec<_> = names
+        .filter(|name| !TOP.iter().any(|known| name == known))
+        .collect();
+    assert!(strange.is_empty(), "{strange:?}");
+}

@@ -324,6 +324,7 @@ fn broken_world() {
         size: None,
         at: None,
         marks: None,
+        folder: std::path::PathBuf::new(),
     };
     run(world, settings, options).expect("the debugger says what is wrong");
 }

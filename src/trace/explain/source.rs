@@ -127,6 +127,11 @@ mod tests {
         }
         assert!(places.len() >= 18, "{places:?}");
         for (file, function) in places {
+            let shown = crate::trace::explain::source_text(SourcePlace { file, function });
+            assert!(
+                shown.is_some(),
+                "{function} in {file} is not in the list of files"
+            );
             let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
             let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{file}: {e}"));
             let heads = [format!("fn {function}("), format!("fn {function}<")];

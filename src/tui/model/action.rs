@@ -33,6 +33,20 @@ pub enum Action {
     Step(StepCommand),
     /// Step by itself, forwards or backwards; once more, faster.
     Play(bool),
+    /// Choose what a step is that runs by itself.
+    PlayBy,
+    /// Ask for a break point.
+    Break,
+    /// Show the break points.
+    Breaks,
+    /// Run to the next break point (back to the one before, if false).
+    Run(bool),
+    /// Show where the numbers of the current event come from (where they go, if false).
+    Origin(bool),
+    /// To the place before the last jump (forward again, if false).
+    History(bool),
+    /// Open the tree of a pixel so far to the right and below, at the same ray.
+    Neighbour(i32, i32),
     /// Ask for an event or an address to go to.
     GoTo,
     /// Ask for a setting to change.
@@ -59,10 +73,18 @@ pub enum Action {
     FindNext(bool),
     /// Show the next (previous, if false) thing in the place of colours.
     Show(bool),
+    /// To the pixel with the next smaller (larger, if false) number of what is shown.
+    NextInOrder(bool),
+    /// List the pixels that stand out.
+    Outliers,
+    /// Show the function of this program that does what the current event tells.
+    Source,
     /// Copy the command that opens what is shown.
     Copy,
     /// To the next (previous, if false) ready text of the prompt.
     Ready(bool),
+    /// Go to the chosen place of a list.
+    GoThere,
     /// Down (up, if negative) by so many rows of the focused pane.
     Rows(i32),
     /// Down (up, if negative) by pages of the focused pane.
@@ -98,6 +120,10 @@ pub enum Context {
     Prompt,
     /// While the effects are shown.
     Effects,
+    /// While a list of places is shown.
+    Places,
+    /// While a text is shown.
+    Text,
     /// Unless something above says otherwise.
     Always,
 }

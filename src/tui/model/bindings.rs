@@ -37,11 +37,14 @@ const fn row(
     }
 }
 
+/// More lines than any text has.
+const FAR: i32 = i16::MAX as i32;
+
 /// The table.
 #[rustfmt::skip]
 pub const ACTIONS: &[Binding] = {
     use Action as A;
-    use Context::{Always, Effects, Picture, Prompt, Tree};
+    use Context::{Always, Effects, Picture, Places, Prompt, Text, Tree};
     use KeyCode::{BackTab, Backspace, Down, End, Enter, Esc, Home, Left, PageDown, PageUp, Right, Tab, Up};
     use StepCommand::{Back, Forward, NextAbsent, NextRay, Out, Over, PreviousAbsent, PreviousRay, Start};
     use RayKind::{Incident, Light, Reflected, Transmitted};
@@ -59,6 +62,10 @@ pub const ACTIONS: &[Binding] = {
             "next found", "To the next (previous) pixel that was found."),
         row(Picture, false, &[(ch('s'), A::Show(true)), (ch('S'), A::Show(false))], "show",
             "Show rays, nodes, tests, depth, t, errors, normals or objects in the place of colours."),
+        row(Picture, false, &[(ch('x'), A::NextInOrder(true)), (ch('X'), A::NextInOrder(false))], "next in order",
+            "To the pixel with the next smaller (larger) number of what is shown, or luminance."),
+        row(Picture, false, &[(ch('o'), A::Outliers)], "outliers", "The pixels that stand out from their neighbours, such as fireflies; if none does, the largest."),
+        row(Picture, false, &[(ch('w'), A::Warnings)], "warnings", "What of the scene can hardly be meant, and what to do."),
         row(Picture, false, &[(ch(':'), A::GoTo)], "go to", "To the pixel or the address that you type, such as 160,120/R."),
 
         row(Tree, true, &[(ch('n'), A::Step(Forward))], "next", "One event on."),
@@ -69,6 +76,13 @@ pub const ACTIONS: &[Binding] = {
         row(Tree, true, &[(ch('t'), A::Step(NextRay(Transmitted))), (ch('T'), A::Step(PreviousRay(Transmitted)))], "T ray", "The next (previous) transmitted ray."),
         row(Tree, true, &[(ch('l'), A::Step(NextRay(Light))), (ch('L'), A::Step(PreviousRay(Light)))], "L ray", "The next (previous) ray to a light."),
         row(Tree, false, &[(ch('>'), A::Play(true)), (ch('<'), A::Play(false))], "play", "Step on (back) by itself, twice a second; once more doubles the speed, any other key stops."),
+        row(Tree, false, &[(ch('P'), A::PlayBy)], "play by", "Let these steps be events, rays, or rays level by level."),
+        row(Tree, false, &[(ch('b'), A::Break)], "break", "Set a break point, such as tir, absent, deepest or test:ball; the same again takes it away."),
+        row(Tree, false, &[(ch('x'), A::Run(true)), (ch('X'), A::Run(false))], "run", "Run to the next break point (back to the one before)."),
+        row(Tree, false, &[(ch('B'), A::Breaks)], "break points", "All break points, and how often each stops a run through this tree."),
+        row(Tree, false, &[(ch('w'), A::Origin(true)), (ch('W'), A::Origin(false))], "from, to", "Where the numbers of this event come from (where they go): choose one to go there."),
+        row(Tree, false, &[(shift(Left), A::Neighbour(-1, 0)), (shift(Down), A::Neighbour(0, 1)), (shift(Up), A::Neighbour(0, -1)), (shift(Right), A::Neighbour(1, 0))],
+            "next pixel", "The tree of the pixel beside this one, at the same ray if it has one."),
         row(Tree, false, &[(ch('a'), A::Step(NextAbsent)), (ch('A'), A::Step(PreviousAbsent))], "absent", "The next (previous) ray that is not sent."),
         row(Tree, false, &[(ch('i'), A::Step(NextRay(Incident))), (ch('I'), A::Step(PreviousRay(Incident)))], "I ray", "The next (previous) ray from the eye, if the pixel has several."),
         row(Tree, false, &[(ch('g'), A::Step(Start)), (ch('G'), A::Step(StepCommand::End)), (key(Home), A::Step(Start)), (key(End), A::Step(StepCommand::End))], "start, end", "To the first event, to the last."),
@@ -79,6 +93,7 @@ pub const ACTIONS: &[Binding] = {
         row(Tree, false, &[(ch('f'), A::FindNext(true)), (ch('F'), A::FindNext(false))], "next found", "To the next (previous) ray that satisfies the query."),
         row(Tree, true, &[(key(Tab), A::NextPane), (key(BackTab), A::PreviousPane)], "pane", "Give the arrow keys to the next (previous) pane."),
         row(Tree, true, &[(ch('z'), A::Zoom)], "zoom", "The focused pane on the whole screen, and back."),
+        row(Tree, false, &[(ch('s'), A::Source)], "source", "The function of this program that does what this event tells."),
         row(Tree, false, &[(key(Down), A::Rows(1)), (key(Up), A::Rows(-1)), (ch('j'), A::Rows(1)), (ch('k'), A::Rows(-1))],
             "rows", "In the tree and the steps: to the next (previous) row. In the details: scroll. In the scene: to the next (previous) ray."),
         row(Tree, false, &[(key(PageDown), A::Pages(1)), (key(PageUp), A::Pages(-1))], "pages", "The same by a page."),
@@ -96,6 +111,15 @@ pub const ACTIONS: &[Binding] = {
         row(Effects, true, &[(ch(' '), A::Switch), (key(Enter), A::Switch)], "leave out, take in",
             "Leave the effect out of the picture, or take it in again."),
 
+        row(Places, true, &[(key(Down), A::Choose(1)), (key(Up), A::Choose(-1)), (ch('j'), A::Choose(1)), (ch('k'), A::Choose(-1))],
+            "choose", "To the next (previous) line."),
+        row(Places, true, &[(key(Enter), A::GoThere), (ch(' '), A::GoThere)], "go there", "Go to the chosen place."),
+
+        row(Text, true, &[(key(Down), A::Rows(1)), (key(Up), A::Rows(-1)), (ch('j'), A::Rows(1)), (ch('k'), A::Rows(-1))],
+            "scroll", "Scroll; any key that is not named here closes the text."),
+        row(Text, true, &[(key(PageDown), A::Pages(1)), (key(PageUp), A::Pages(-1)), (ch(' '), A::Pages(1))], "page", "Scroll by ten lines."),
+        row(Text, false, &[(key(Home), A::Rows(-FAR)), (key(End), A::Rows(FAR))], "start, end", "To the first line, to the last."),
+
         row(Always, true, &[(ch('e'), A::Effects)], "effects", "Which effects the scene calls for, and why; each can be left out."),
         row(Always, true, &[(ch('c'), A::Convergence)], "convergence",
             "How the pixel under the cursor nears its value with more samples: a chart that grows."),
@@ -106,9 +130,10 @@ pub const ACTIONS: &[Binding] = {
         row(Always, false, &[(ch('U'), A::Undo)], "undo", "Take the last change of a setting back."),
         row(Always, false, &[(ch('M'), A::Mark)], "mark", "Mark what is shown, with a note."),
         row(Always, false, &[(ch('\''), A::NextMark)], "next mark", "To the next mark."),
-        row(Always, false, &[(ch('W'), A::WriteMarks)], "write marks", "Write all marks into a new file, for raytree view --marks."),
+        row(Always, false, &[(ch('"'), A::WriteMarks)], "write marks", "Write all marks into a new file, for raytree view --marks."),
         row(Always, false, &[(ch('y'), A::Copy)], "copy", "Copy the command that opens the debugger here again (if the terminal allows it), and show it."),
-        row(Always, false, &[(ch('w'), A::Warnings)], "warnings", "What of the scene can hardly be meant, and what to do."),
+        row(Always, false, &[(ch(','), A::History(true)), (ch('.'), A::History(false))], "back, forward", "To the place before the last jump (forward again)."),
+        row(Always, false, &[(ch('!'), A::Warnings)], "warnings", "The warnings, from anywhere."),
         row(Always, false, &[(ch('m'), A::Mouse)], "mouse", "Leave the mouse to the terminal, to select text, or take it again."),
         row(Always, true, &[(ch('?'), A::Help)], "help", "This list."),
         row(Always, true, &[(ch('q'), A::Back), (key(Esc), A::Back)], "back", "One level back; from the picture, quit."),
@@ -161,6 +186,8 @@ mod tests {
             Context::Tree,
             Context::Prompt,
             Context::Effects,
+            Context::Places,
+            Context::Text,
         ] {
             let mut seen: Vec<Key> = Vec::new();
             let here = |b: &&Binding| b.context == context || b.context == Context::Always;

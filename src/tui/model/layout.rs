@@ -31,6 +31,14 @@ impl Pane {
     }
 }
 
+/// The part of the screen that may be covered: all but the line of keys.
+pub fn covered(screen: Rect) -> Rect {
+    Rect {
+        height: screen.height.saturating_sub(1),
+        ..screen
+    }
+}
+
 /// What is to be shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {

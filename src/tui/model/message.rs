@@ -18,6 +18,8 @@ pub enum Message {
     Action(Action),
     /// A key was pressed.
     Key(KeyEvent),
+    /// A text was pasted.
+    Paste(String),
     /// The mouse did something at a cell of the screen.
     Mouse(Mouse, Position),
     /// The screen has another size.

@@ -1,5 +1,7 @@
 //! Options of the command line for the debugger.
 
+use std::path::PathBuf;
+
 use crate::debug::marks::Marks;
 use crate::trace::Address;
 use crate::tracer::image::ColorLevel;
@@ -21,4 +23,6 @@ pub struct Options {
     pub at: Option<Address>,
     /// Marks of a file.
     pub marks: Option<Marks>,
+    /// Where files that are named in the debugger lie.
+    pub folder: PathBuf,
 }

@@ -7,9 +7,11 @@ use ratatui::layout::Rect;
 
 use super::action::Context;
 use super::layout::{Pane, Panes, Shown, inside};
+use super::list::PlaceList;
 use super::message::Job;
 use super::options::Options;
 use super::placement::Placement;
+use crate::debug::breaks::BreakPoint;
 use crate::debug::marks::Marks;
 use crate::debug::{
     Axis, Convergence, ObjectOutline, PartialPicture, QuerySearch, Session, outlines,
@@ -35,6 +37,8 @@ pub enum Overlay {
     Prompt(Prompt, String),
     /// The effects, with this one chosen.
     Effects(usize),
+    /// Places to go to.
+    Places(PlaceList),
 }
 
 /// What a text is typed for.
@@ -52,6 +56,8 @@ pub enum Prompt {
     Note,
     /// To write the marks into a file.
     Write,
+    /// To set a break point, or to take it away.
+    Break,
 }
 
 /// What the debugger asks of the program around it.
@@ -75,6 +81,36 @@ pub struct Play {
     pub speed: u32,
     /// When the next one is due.
     pub due: Instant,
+}
+
+/// A run through the log to the next break point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Running {
+    /// Whether forwards, or backwards.
+    pub forward: bool,
+    /// The event that it came to.
+    pub from: usize,
+}
+
+/// What a step is that runs by itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PlayUnit {
+    /// An event.
+    #[default]
+    Events,
+    /// A ray, in the order in which they are sent.
+    Rays,
+    /// A ray, in the order of the tree's levels.
+    Levels,
+}
+
+/// Places that were left by a jump, and those that were left by going back; the nearest at the end.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct History {
+    /// To go back to.
+    pub past: Vec<Address>,
+    /// To go forward to.
+    pub future: Vec<Address>,
 }
 
 /// What the user arranged on the screen.
@@ -118,6 +154,14 @@ pub struct Model {
     pub convergence: Option<Convergence>,
     /// Steps that run by themselves, if they do.
     pub play: Option<Play>,
+    /// What a step of these is.
+    pub play_unit: PlayUnit,
+    /// Where a run through the log stops.
+    pub breaks: Vec<BreakPoint>,
+    /// A run that takes long.
+    pub running: Option<Running>,
+    /// Places that were left by jumps.
+    pub history: History,
     /// The query that is searched for.
     pub search: Option<QuerySearch>,
     /// What lies over the panes.
@@ -131,6 +175,8 @@ pub struct Model {
     /// Marked places, and the number of the one that was shown last.
     pub marks: Marks,
     pub marked: usize,
+    /// True if marks were made that are in no file.
+    pub unsaved: bool,
     /// What the terminal is asked to copy next.
     pub clipboard: Option<String>,
     /// True if the mouse is caught.
@@ -160,11 +206,16 @@ impl Model {
             waiting: None,
             convergence: None,
             play: None,
+            play_unit: PlayUnit::default(),
+            breaks: Vec::new(),
+            running: None,
+            history: History::default(),
             search: None,
             overlay: None,
             undone: Vec::new(),
             marks,
             marked: 0,
+            unsaved: false,
             clipboard: None,
             layout: LayoutState {
                 screen,
@@ -184,6 +235,10 @@ impl Model {
         match (&self.overlay, &self.session) {
             (Some(Overlay::Prompt(..)), _) => Context::Prompt,
             (Some(Overlay::Effects(_)), _) => Context::Effects,
+            (Some(Overlay::Places(_)), _) => Context::Places,
+            (Some(Overlay::Help(_) | Overlay::Warnings(_) | Overlay::Report(..)), _) => {
+                Context::Text
+            }
             (_, Some(_)) => Context::Tree,
             (_, None) => Context::Picture,
         }
@@ -197,6 +252,11 @@ impl Model {
             warnings.extend(cuts.warning(&self.options.scene, &self.world.scene, &self.settings));
         }
         warnings
+    }
+
+    /// True while the cursor moves by itself.
+    pub fn is_moving(&self) -> bool {
+        self.play.is_some() || self.running.is_some()
     }
 
     /// The address of what is shown.

@@ -4,16 +4,17 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
+use ratatui::widgets::{Clear, Widget as _};
 
-use super::text::{columns, shortened, write};
+use super::text::{columns, shortened, wrap, write};
 use super::theme;
 use crate::debug::effects::deviations;
 use crate::lab::show::{ShowMode, ShownRange, ShownValue};
-use crate::math::Rgb;
 use crate::scene::trace_command;
 use crate::trace::format::{counted, num};
 use crate::tui::model::bindings::ACTIONS;
-use crate::tui::model::{Context, Model, Overlay, Prompt};
+use crate::tui::model::examples::examples;
+use crate::tui::model::{Context, Model, Overlay, Panes, Prompt};
 
 /// What stands at the end of the hints if there are more.
 const MORE: &str = " ... ?";
@@ -59,9 +60,13 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
 /// The pixel under the cursor, and how to trace it again.
 pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
     let (x, y) = model.picture.cursor;
+    let mut linear = String::new();
     let mut line = Line::from(Span::raw(format!(" ({x}, {y}) ")).bold());
     warned(&mut line, model);
     remark(&mut line, deviations(&model.settings, &model.findings));
+    if let Some(search) = &model.search {
+        line.push_span(Span::raw(format!("{}  ", search.told((x, y)))).bold());
+    }
     match model.picture.exact((x, y)) {
         Some(value) if model.show.is_some() => {
             line.push_span(Span::raw(shown(model, value)).bold());
@@ -70,22 +75,15 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
             let shown = color * model.settings.image.exposure;
             let [r, g, b] = shown.to_srgb8();
             line.push_span(theme::swatch(shown, model.options.color));
-            let Rgb {
-                r: lr,
-                g: lg,
-                b: lb,
-            } = color;
-            let (lr, lg, lb) = (short(lr), short(lg), short(lb));
-            line.push_span(format!(
-                " sRGB ({r}, {g}, {b})  linear ({lr}, {lg}, {lb})  "
-            ));
+            line.push_span(format!(" sRGB ({r}, {g}, {b})  "));
+            let [r, g, b] = color.channels().map(short);
+            linear = format!("  linear ({r}, {g}, {b})");
         }
         _ => line.push_span("rendering ...  "),
     }
     line.push_span(Span::raw(model.picked.clone()));
-    if let Some(search) = &model.search {
-        line.push_span("  ");
-        line.push_span(Span::raw(search.told((x, y))).bold());
+    if line.width() + columns(&linear) <= usize::from(area.width) {
+        line.push_span(linear);
     }
     if area.height >= 1 {
         write(buffer, area.x, area.y, &line, area.width);
@@ -158,25 +156,65 @@ pub fn rerun(model: &Model) -> String {
     )
 }
 
-/// A prompt with what was typed; where something is told about it, in few words.
-fn asked(model: &Model, prompt: Prompt, text: &str) -> String {
-    let is_short = model.message.is_some();
-    let label = match (prompt, &model.session) {
+/// What a prompt asks for.
+fn label(model: &Model, prompt: Prompt) -> String {
+    match (prompt, &model.session) {
         (Prompt::Search, _) => "find".to_owned(),
-        (Prompt::GoTo, _) if is_short => "go to".to_owned(),
         (Prompt::GoTo, Some(session)) => {
             let last = session.tree().events.len().saturating_sub(1);
             format!("event (0 to {last}) or address")
         }
         (Prompt::GoTo, None) => "pixel or address".to_owned(),
-        (Prompt::Set, _) if is_short => "set".to_owned(),
         (Prompt::Set, _) => "set (flag=value)".to_owned(),
         (Prompt::Note, _) => "note".to_owned(),
         (Prompt::Write, _) => "new file for the marks".to_owned(),
-        (Prompt::Compare, _) if is_short => "compare".to_owned(),
+        (Prompt::Break, _) => "break at".to_owned(),
         (Prompt::Compare, _) => "compare with X,Y, flag=value or a file".to_owned(),
+    }
+}
+
+/// A prompt with what was typed: of a long text the end.
+fn asked(model: &Model, prompt: Prompt, text: &str, width: usize) -> String {
+    let mut label = label(model, prompt);
+    if columns(&label) > width / 2 {
+        label = label.split(' ').next().unwrap_or_default().to_owned();
+    }
+    let room = width.saturating_sub(columns(&label) + 6).max(4);
+    let mut end = text;
+    while columns(end) > room {
+        let first = end.chars().next().map_or(1, char::len_utf8);
+        end = &end[first..];
+    }
+    let cut = if end.len() < text.len() { "…" } else { "" };
+    format!(" {label}: {cut}{end}▏ ")
+}
+
+/// The message where it does not fit into the line of hints: above it, as many lines as it takes.
+pub fn message(model: &Model, panes: &Panes, buffer: &mut Buffer) {
+    let (Some(message), hint) = (&model.message, panes.hint) else {
+        return;
     };
-    format!(" {label}: {text}▏ ")
+    if fits(message, hint) || hint.is_empty() {
+        return;
+    }
+    let lines = wrap(message, usize::from(hint.width.saturating_sub(2)));
+    let count = (lines.len() as u16).min(hint.y.saturating_sub(1));
+    let area = Rect::new(hint.x, hint.y - count, hint.width, count);
+    Clear.render(area, buffer);
+    for (y, line) in (area.y..area.bottom()).zip(lines) {
+        write(
+            buffer,
+            area.x + 1,
+            y,
+            &Line::from(line).bold(),
+            area.width - 1,
+        );
+    }
+}
+
+/// True if a message leaves room for some hints, or for a prompt.
+fn fits(message: &str, hint: Rect) -> bool {
+    columns(message) + 2 <= usize::from(hint.width) * 5 / 8
 }
 
 /// What the keys do here, as many as there is room for.
@@ -184,31 +222,23 @@ pub fn hint(model: &Model, area: Rect, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
     }
+    let width = usize::from(area.width);
     let mut line = Line::default();
+    let mut has_examples = true;
     if let Some(Overlay::Prompt(prompt, text)) = &model.overlay {
-        line.push_span(Span::raw(asked(model, *prompt, text)).bold());
+        let told = model.message.as_ref().filter(|m| fits(m, area));
+        let room = width.saturating_sub(told.map_or(0, |m| columns(m) + 2));
+        line.push_span(Span::raw(asked(model, *prompt, text, room)).bold());
+        has_examples = !examples(*prompt).is_empty();
     }
-    if let Some(message) = &model.message {
+    if let Some(message) = model.message.as_ref().filter(|m| fits(m, area)) {
         line.push_span(Span::raw(format!(" {message} ")).bold());
     }
-    let context = model.context();
-    let here = |c: Context| c == context || c == Context::Always;
-    let mut bindings: Vec<_> = ACTIONS
-        .iter()
-        .filter(|b| b.hint && here(b.context))
-        .collect();
-    // Help and back are always in sight.
-    bindings.sort_by_key(|b| !matches!(b.name, "help" | "back"));
-    for binding in bindings {
-        let name = if binding.name == "back" && context == Context::Picture {
-            "quit"
-        } else {
-            binding.name
-        };
-        let key = Span::styled(format!(" {}", binding.short_label()), theme::keycap());
+    for (key, name) in hints(model, has_examples) {
+        let key = Span::styled(format!(" {key}"), theme::keycap());
         let name = Span::raw(format!(" {name} "));
         // Where keys are left out, that is said.
-        let room = usize::from(area.width).saturating_sub(columns(MORE));
+        let room = width.saturating_sub(columns(MORE));
         if line.width() + key.width() + name.width() > room {
             line.push_span(Span::raw(MORE).style(theme::dim()));
             break;
@@ -217,4 +247,35 @@ pub fn hint(model: &Model, area: Rect, buffer: &mut Buffer) {
         line.push_span(name);
     }
     write(buffer, area.x, area.y, &line, area.width);
+}
+
+/// The keys that are worth a hint here, the way out first, and what they do.
+fn hints(model: &Model, has_examples: bool) -> Vec<(String, &'static str)> {
+    let context = model.context();
+    // Over the panes only its own keys are meant; where a text is typed, letters are letters.
+    let is_alone = matches!(
+        context,
+        Context::Prompt | Context::Places | Context::Text | Context::Effects
+    );
+    let here = |c: Context| c == context || c == Context::Always && !is_alone;
+    let mut bindings: Vec<_> = ACTIONS
+        .iter()
+        .filter(|b| b.hint && here(b.context))
+        .collect();
+    bindings.retain(|b| b.name != "examples" || has_examples);
+    // Help and back are always in sight.
+    bindings.sort_by_key(|b| !matches!(b.name, "help" | "back"));
+    let name = |name: &'static str| match name {
+        "back" if model.overlay.is_some() => "close",
+        "back" if context == Context::Picture => "quit",
+        name => name,
+    };
+    let mut hints: Vec<_> = bindings
+        .iter()
+        .map(|b| (b.short_label(), name(b.name)))
+        .collect();
+    if is_alone {
+        hints.insert(0, ("Esc".to_owned(), "close"));
+    }
+    hints
 }

@@ -5,10 +5,12 @@ use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
 
-use super::text::{columns, padded, wrap, write};
+use super::text::{arrows, columns, padded, wrap, write};
 use super::theme;
 use crate::debug::Session;
+use crate::debug::running::running_sum;
 use crate::trace::explain;
+use crate::trace::format::{counted, rgb};
 use crate::tracer::image::ColorLevel;
 
 /// Its title: which event of how many.
@@ -57,6 +59,7 @@ pub fn lines(session: &Session, level: ColorLevel, width: u16) -> Vec<Line<'stat
             lines.push(line);
         }
     }
+    lines.extend(so_far(session, level));
     let source = explanation.source;
     if !source.file.is_empty() {
         let told = format!("code: {} in {}", source.function, source.file);
@@ -67,6 +70,24 @@ pub fn lines(session: &Session, level: ColorLevel, width: u16) -> Vec<Line<'stat
     lines
 }
 
+/// What the current ray has summed up by now.
+fn so_far(session: &Session, level: ColorLevel) -> Option<Line<'static>> {
+    let running = running_sum(session)?;
+    if running.added == 0 {
+        return None;
+    }
+    let color = running.sum * session.settings.image.exposure;
+    Some(Line::from(vec![
+        Span::raw("sum so far: ").style(theme::dim()),
+        theme::swatch(color, level),
+        Span::raw(format!(
+            " {} of {}",
+            rgb(running.sum),
+            counted(running.added as u64, "summand")
+        )),
+    ]))
+}
+
 /// Draws the lines from line `scroll` on.
 pub fn draw(session: &Session, scroll: u16, level: ColorLevel, area: Rect, buffer: &mut Buffer) {
     let lines = lines(session, level, area.width);
@@ -75,12 +96,5 @@ pub fn draw(session: &Session, scroll: u16, level: ColorLevel, area: Rect, buffe
     for (y, line) in (area.y..area.bottom()).zip(lines.iter().skip(first)) {
         write(buffer, area.x, y, line, area.width);
     }
-    // Arrows in the frame tell that there is more.
-    let x = area.right().saturating_sub(2);
-    if first > 0 {
-        write(buffer, x, area.y.saturating_sub(1), &Line::raw("▲"), 1);
-    }
-    if first + height < lines.len() {
-        write(buffer, x, area.bottom(), &Line::raw("▼"), 1);
-    }
+    arrows(buffer, area, first > 0, first + height < lines.len());
 }

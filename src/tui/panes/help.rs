@@ -38,6 +38,8 @@ pub fn lines(width: u16) -> Vec<Line<'static>> {
         (Context::Tree, "In the ray tree"),
         (Context::Prompt, "Typing a place or a query"),
         (Context::Effects, "Among the effects"),
+        (Context::Places, "In a list"),
+        (Context::Text, "In a text over the panes"),
         (Context::Always, "Always"),
     ];
     let room = usize::from(width).saturating_sub(KEYS + 1).max(10);

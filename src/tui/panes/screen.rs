@@ -7,10 +7,13 @@ use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, BorderType, Widget};
 
+use super::text::shortened;
 use super::{
-    bars, convergence, details, effects, help, paths, picture, report, steps, theme, tree, warnings,
+    bars, convergence, details, effects, help, list, paths, picture, report, steps, theme, tree,
+    warnings,
 };
 use crate::debug::Session;
+use crate::tui::model::layout::covered;
 use crate::tui::model::{Model, Pane, Panes, inside};
 
 /// Draws the model.
@@ -20,7 +23,11 @@ pub fn draw(model: &Model, screen: Rect, buffer: &mut Buffer) {
     bars::status(model, panes.status, buffer);
     if model.session.is_some() {
         let (x, y) = model.picture.cursor;
-        let title = Line::raw(format!(" picture, pixel {x},{y} "));
+        let mut title = format!(" picture, pixel {x},{y} ");
+        if title.len() + 3 > usize::from(panes.picture.width) {
+            title = format!(" {x},{y} ");
+        }
+        let title = Line::raw(title);
         frame(model, Pane::Picture, &panes, title, buffer);
     }
     picture::draw(model, &model.placement(&panes), buffer);
@@ -30,11 +37,14 @@ pub fn draw(model: &Model, screen: Rect, buffer: &mut Buffer) {
         }
     }
     convergence::draw(model, &panes, buffer);
-    effects::draw(model, screen, buffer);
-    warnings::draw(model, screen, buffer);
-    report::draw(model, screen, buffer);
-    help::draw(model, screen, buffer);
+    let over = covered(screen);
+    effects::draw(model, over, buffer);
+    warnings::draw(model, over, buffer);
+    report::draw(model, over, buffer);
+    list::draw(model, over, buffer);
+    help::draw(model, over, buffer);
     bars::hint(model, panes.hint, buffer);
+    bars::message(model, &panes, buffer);
     theme::quantize_colors(buffer, model.options.color);
 }
 
@@ -70,6 +80,11 @@ fn frame(
 ) -> Option<Rect> {
     let area = panes.area(pane);
     let mut block = Block::bordered().border_style(theme::dim());
+    // Titles are cut with a sign as well.
+    let room = usize::from(area.width.saturating_sub(3));
+    if title.width() > room {
+        title = Line::raw(shortened(&title.to_string(), room));
+    }
     if model.layout.focus == pane {
         block = block
             .border_type(BorderType::Double)

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Style, Stylize as _};
 use ratatui::text::{Line, Span};
 
-use super::text::write;
+use super::text::{arrows, write};
 use super::theme;
 use crate::debug::steps::visited_and_tested;
 use crate::debug::{Session, StepKind, StepText};
@@ -47,6 +47,11 @@ pub fn draw(session: &Session, area: Rect, buffer: &mut Buffer) {
     }
     let here = session.cursor().position();
     let shown = first_step(session, area.height)..steps.end;
+    let (above, below) = (
+        shown.start > steps.start,
+        shown.len() > usize::from(area.height),
+    );
+    arrows(buffer, area, above, below);
     for (y, index) in (area.y..area.bottom()).zip(shown) {
         let current = index == here;
         let mut line = Line::from(Span::raw(if current { theme::POINTER } else { " " }).bold());

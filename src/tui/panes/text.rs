@@ -1,13 +1,39 @@
 //! Text in cells: lines cut at a width, and wrapping by display columns.
 
 use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 
-/// Writes a line at a cell of the screen, cut at `width`.
+/// Writes a line at a cell of the screen; one that is wider than `width` ends in `…`.
 pub fn write(buffer: &mut Buffer, x: u16, y: u16, line: &Line, width: u16) {
-    if buffer.area.contains((x, y).into()) {
-        buffer.set_line(x, y, line, width.min(buffer.area.right() - x));
+    if !buffer.area.contains((x, y).into()) {
+        return;
+    }
+    let width = width.min(buffer.area.right() - x);
+    buffer.set_line(x, y, line, width);
+    // Blanks at its end say nothing.
+    let is_cut = line.width() > usize::from(width) && {
+        let text = line.to_string();
+        columns(text.trim_end()) > usize::from(width)
+    };
+    if let Some(last) = width.checked_sub(1).filter(|_| is_cut)
+        && let Some(cell) = buffer.cell_mut((x + last, y))
+    {
+        cell.set_symbol("…");
+    }
+}
+
+/// Arrows at the right of a frame around `area`: there is more above, there is more below.
+pub fn arrows(buffer: &mut Buffer, area: Rect, above: bool, below: bool) {
+    let x = area.right().saturating_sub(2);
+    for (is_more, y, arrow) in [
+        (above, area.y.saturating_sub(1), "▲"),
+        (below, area.bottom(), "▼"),
+    ] {
+        if is_more && let Some(cell) = buffer.cell_mut((x, y)) {
+            cell.set_symbol(arrow);
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
 
-use super::text::write;
+use super::text::{arrows, write};
 use super::theme;
 use crate::debug::{RowText, Session, TreeRow, TreeRows};
 use crate::trace::format::counted;
@@ -35,6 +35,9 @@ pub fn shown(session: &Session, height: u16) -> impl Iterator<Item = (usize, Tre
 pub fn draw(session: &Session, level: ColorLevel, area: Rect, buffer: &mut Buffer) {
     let current = session.row();
     let shift = shift(session, current, area.width);
+    let first = first_row(session, area.height);
+    let below = first + usize::from(area.height) < session.rows.len();
+    arrows(buffer, area, first > 0, below);
     for (y, (number, row)) in (area.y..).zip(shown(session, area.height)) {
         let line = Rect {
             y,

@@ -51,6 +51,7 @@ pub fn message(event: &Event) -> Option<Message> {
             };
             Some(Message::Mouse(what, (mouse.column, mouse.row).into()))
         }
+        Event::Paste(text) => Some(Message::Paste(text.clone())),
         Event::Resize(width, height) => Some(Message::Resize(Rect::new(0, 0, *width, *height))),
         _ => None,
     }

@@ -60,7 +60,7 @@ fn main_loop(screen: &mut Screen, program: &mut Program) -> io::Result<()> {
             draw(screen, program)?;
             (drawn, changed) = (Some(Instant::now()), false);
         }
-        let wait = if program.is_busy() || changed || program.model.play.is_some() {
+        let wait = if program.is_busy() || changed || program.model.is_moving() {
             TICK
         } else {
             IDLE
@@ -79,9 +79,10 @@ fn main_loop(screen: &mut Screen, program: &mut Program) -> io::Result<()> {
         if let Some(text) = program.model.clipboard.take() {
             screen.copy(&text)?;
         }
-        if program.model.play.is_some() {
+        if program.model.is_moving() {
             let before = program.model.session.as_ref().map(|s| s.cursor());
             program.send(Message::Tick(Instant::now()));
+            changed |= program.model.running.is_some();
             changed |= program.model.session.as_ref().map(|s| s.cursor()) != before;
         }
         changed |= program.receive() | program.model.waiting.is_some();

@@ -40,10 +40,16 @@ fn situations(context: Context) -> Vec<Program> {
         app
     };
     match context {
-        Context::Picture | Context::Always => vec![app(80, 24)],
+        Context::Picture | Context::Always => vec![app(80, 24), at(",")],
         Context::Tree => vec![at("gnt"), at("gn ")],
         Context::Prompt => vec![at(":7"), at("/t"), at("="), at("d")],
         Context::Effects => vec![at("e"), at("ej")],
+        Context::Text => {
+            let mut end = at("?");
+            key(&mut end, KeyCode::End);
+            vec![at("?"), end]
+        }
+        Context::Places => vec![at("Gw"), at("Gwj")],
     }
 }
 
@@ -79,6 +85,8 @@ fn the_book_lists_every_key() {
         (Context::Tree, "in the ray tree"),
         (Context::Prompt, "typing"),
         (Context::Effects, "among the effects"),
+        (Context::Places, "in a list"),
+        (Context::Text, "in a text"),
         (Context::Always, "always"),
     ];
     let mut table = "| when | keys | |\n|---|---|---|\n".to_owned();

@@ -3,7 +3,7 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::layout::{Position, Rect};
 
-use super::support::{app, buffer, keys, settle};
+use super::support::{app_with, buffer, keys, settle};
 use crate::tui::model::bindings::ACTIONS;
 use crate::tui::model::{Mouse, Request};
 use crate::tui::terminal::program::Program;
@@ -90,7 +90,12 @@ fn input(app: &mut Program, dice: u64) {
 #[test]
 fn no_keys_in_any_order_break_it() {
     let inputs = std::env::var("RAYTREE_KEYS").map_or(INPUTS, |n| n.parse().expect("a number"));
-    let mut app = app(60, 20);
+    // What is typed may become a file.
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut app = app_with(60, 20, |options| {
+        options.folder = folder.path().to_owned();
+    });
+    settle(&mut app);
     let start = app.model.settings;
     let mut state = 7;
     let (mut settled, mut drawn) = (0, 0);

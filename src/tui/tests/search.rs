@@ -96,13 +96,32 @@ fn rays_of_a_tree_are_found_both_ways() {
     assert!(second.position() > first.position());
     keys(&mut app, "F");
     assert_eq!(app.model.session.as_ref().expect("a tree").cursor(), first);
+    // Around, as in the picture.
     keys(&mut app, "F");
+    assert!(text(&app).contains("from the end again"), "{}", text(&app));
     assert!(
-        text(&app).contains("no ray before this one"),
+        app.model
+            .session
+            .as_ref()
+            .expect("a tree")
+            .cursor()
+            .position()
+            > second.position()
+    );
+    keys(&mut app, "f");
+    assert!(
+        text(&app).contains("from the start again"),
         "{}",
         text(&app)
     );
     assert_eq!(app.model.session.as_ref().expect("a tree").cursor(), first);
+    keys(&mut app, "/hits:nothing");
+    super::support::key(&mut app, KeyCode::Enter);
+    assert!(
+        text(&app).contains("no ray of this tree satisfies it"),
+        "{}",
+        text(&app)
+    );
 }
 
 #[test]

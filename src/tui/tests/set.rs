@@ -70,21 +70,21 @@ fn a_bend_is_told_by_the_difference_of_the_trees() {
     enter(&mut app, "");
     let told = text(&app);
     assert!(
-        told.contains("difference") && told.contains("as if     eta-inverted"),
+        told.contains("this tree | bend=eta-inverted") && told.contains("as if     eta-inverted"),
         "{told}"
     );
     keys(&mut app, "q");
     // With itself it agrees.
     let (x, y) = app.model.picture.cursor;
     enter(&mut app, &format!("d{x},{y}"));
-    assert!(text(&app).contains("quantities agree"), "{}", text(&app));
+    assert!(text(&app).contains("rays agree"), "{}", text(&app));
     keys(&mut app, "q");
     enter(&mut app, "d3,3");
-    assert!(text(&app).contains("outcome"), "{}", text(&app));
+    assert!(text(&app).contains("beside pixel 3,3"), "{}", text(&app));
     keys(&mut app, "q");
     enter(&mut app, "dno-such-file.json");
     assert!(
-        text(&app).contains("compare: no-such-file.json▏  cannot be read"),
+        text(&app).contains("no-such-file.json: cannot be read"),
         "{}",
         text(&app)
     );
@@ -107,7 +107,7 @@ fn the_samples_of_a_pixel_are_a_table_and_each_opens() {
         "4 samples",
         ":3  at (",
         "weight 0.25 x radiance",
-        "sum: the pixel is",
+        "Their sum is the pixel",
     ] {
         assert!(told.contains(part), "{part}: {told}");
     }
@@ -141,10 +141,10 @@ fn marks_are_walked_and_written_and_opened_again() {
     settle(&mut app);
     assert_eq!(app.model.address(), marked);
     assert!(text(&app).contains("mark 1 of 2"), "{}", text(&app));
-    enter(&mut app, &format!("W{path}"));
+    enter(&mut app, &format!("\"{path}"));
     assert!(text(&app).contains("2 marks are in"), "{}", text(&app));
     // No file is replaced.
-    enter(&mut app, &format!("W{path}"));
+    enter(&mut app, &format!("\"{path}"));
     assert!(text(&app).contains("cannot be written"), "{}", text(&app));
 
     let written = std::fs::read_to_string(path).expect("written");

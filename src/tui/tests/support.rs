@@ -1,5 +1,6 @@
 //! Helpers of the screen tests: a program in memory, keys in, screens out.
 
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -63,6 +64,7 @@ pub fn of_loaded(
         size: None,
         at: None,
         marks: None,
+        folder: PathBuf::new(),
     };
     change(&mut options);
     Program::new(world, settings, options, Rect::new(0, 0, width, height))

@@ -1,6 +1,9 @@
 //! Actions of the table of keys.
 
-use super::{convergence, effects, image, marks, play, prompt, rows, search, set};
+use super::{
+    convergence, effects, history, image, marks, places, play, prompt, ranking, rows, run, search,
+    set,
+};
 use crate::tui::model::{Action, Job, Model, Overlay, Prompt, Request, inside};
 
 /// Does what a user asks for.
@@ -9,6 +12,7 @@ pub fn act(model: &mut Model, action: Action) {
     if !matches!(action, Action::Play(_)) {
         model.play = None;
     }
+    model.running = None;
     match action {
         Action::Play(forward) => play::play(model, forward),
         Action::Quit => model.request = Request::Quit,
@@ -38,7 +42,8 @@ pub fn act(model: &mut Model, action: Action) {
             model.overlay = None;
         }
         Action::Effects => effects::show_or_hide(model),
-        Action::Choose(by) => effects::choose(model, by),
+        Action::Choose(by) => choose(model, by),
+        Action::GoThere => places::accept(model),
         Action::Switch => effects::switch(model),
         Action::Convergence => convergence::show_or_hide(model),
         Action::Move(dx, dy) => {
@@ -48,11 +53,14 @@ pub fn act(model: &mut Model, action: Action) {
                 image::moved(model);
             }
         }
-        Action::Open => image::open(model),
+        Action::Open => {
+            history::leave(model);
+            image::open(model);
+        }
+        Action::History(back) => history::go(model, back),
         Action::GoTo => prompt::ask(model, Prompt::GoTo),
         Action::Search => prompt::ask(model, Prompt::Search),
         Action::Set => prompt::ask(model, Prompt::Set),
-        Action::Samples => samples(model),
         Action::Compare => prompt::ask(model, Prompt::Compare),
         Action::MoreSamples(of_lights, more) => set::samples(model, of_lights, more),
         Action::Mark => prompt::ask(model, Prompt::Note),
@@ -65,16 +73,19 @@ pub fn act(model: &mut Model, action: Action) {
         Action::Accept => prompt::accept(model),
         Action::FindNext(forward) => search::next(model, forward),
         Action::Copy => prompt::copy(model),
+        Action::NextInOrder(down) => ranking::next(model, down),
+        Action::Outliers => ranking::list(model),
         Action::Show(next) => image::show(model, next),
         _ => in_tree(model, action),
     }
 }
 
-/// Shows the samples of the pixel.
-fn samples(model: &mut Model) {
-    if let Some(session) = &model.session {
-        let text = crate::debug::samples::samples(session);
-        model.overlay = Some(Overlay::Report("samples of the pixel", text, 0));
+/// Chooses a line further down, or up.
+fn choose(model: &mut Model, by: i32) {
+    if let Some(Overlay::Places(list)) = &mut model.overlay {
+        list.choose(by);
+    } else {
+        effects::choose(model, by);
     }
 }
 
@@ -82,6 +93,14 @@ fn samples(model: &mut Model) {
 fn in_tree(model: &mut Model, action: Action) {
     let layout = &mut model.layout;
     match action {
+        Action::Samples => places::of_pixel(model),
+        Action::Source => places::source(model),
+        Action::PlayBy => play::by(model),
+        Action::Break => prompt::ask(model, Prompt::Break),
+        Action::Breaks => places::break_points(model),
+        Action::Run(forward) => run::run(model, forward),
+        Action::Origin(back) => places::origin(model, back),
+        Action::Neighbour(dx, dy) => image::neighbour(model, dx, dy),
         Action::View => layout.axis = layout.axis.next(),
         Action::Zoom => layout.zoom = !layout.zoom,
         Action::NextPane => layout.focus = layout.focus.next(true),
@@ -124,6 +143,10 @@ fn back(model: &mut Model) {
         image::refit(model);
     } else if model.search.is_some() {
         search::end(model);
+    } else if std::mem::take(&mut model.unsaved) {
+        // Once more ends the program.
+        let told = "marks are in no file yet: \" writes them, q quits without";
+        model.message = Some(told.to_owned());
     } else {
         model.request = Request::Quit;
     }

@@ -1,79 +1,154 @@
 //! Comparison of the open tree with another one: of another pixel, with another setting or a bent law, or from a file.
 
-use std::fs::{self, File};
-use std::io::Read as _;
-
 use crate::debug::Session;
 use crate::grade::compare::Compared;
 use crate::grade::diff::{Sides, TreeDiff};
 use crate::grade::follow::PixelReference;
+use crate::grade::pixel_tree;
 use crate::grade::quantity::QuantityKind;
+use crate::grade::side_by_side::{RayPair, side_by_side};
 use crate::grade::tolerance::Tolerances;
 use crate::scene::settings::knobs::set_knob;
 use crate::trace::facts::{PixelFacts, pixel_facts};
-use crate::trace::read::limits::MAX_TREE_FILE_BYTES;
-use crate::trace::read::read_trees;
-use crate::trace::{View, document, trace_pixel};
+use crate::trace::{Address, document};
+use crate::tui::model::list::{Place, PlaceLine, PlaceList};
 use crate::tui::model::{Model, Overlay};
-
-/// Comparisons to begin with.
-pub const READY: [&str; 6] = [
-    "bend=eta-inverted",
-    "bend=reflect-plus",
-    "bend=shadow-none",
-    "without=refraction",
-    "fresnel=none",
-    "depth=1",
-];
+use crate::tui::panes::text::{padded, shortened};
 
 /// Causes that are told at most.
-const MOST_CAUSES: usize = 20;
+const MOST_CAUSES: usize = 3;
+
+/// Rays that are listed at most.
+const MOST_RAYS: usize = 2000;
+
+/// Rays of a tree at most that is compared while the user waits.
+const MOST_COMPARED: usize = 50_000;
+
+/// The other tree.
+struct Other {
+    facts: PixelFacts,
+    /// True if it is of the same pixel of the same scene, so that differences have causes.
+    is_same_pixel: bool,
+}
 
 /// Compares the open tree with what is typed: X,Y, flag=value or a file.
 pub fn typed(model: &mut Model, text: &str) -> Result<(), String> {
     let Some(session) = &model.session else {
         return Err("open the ray tree of a pixel first".to_owned());
     };
+    if session.tree().nodes.len() > MOST_COMPARED {
+        return Err("this tree is too large to be compared here; use raytree diff".to_owned());
+    }
     let ours = pixel_facts(&document::of(session.view()));
-    let (theirs, same_scene) = other(session, text)?;
-    let pixel = (session.trace.x, session.trace.y);
-    let of = PixelReference {
-        scene: same_scene.then_some((&*session.world, &session.settings)),
-        pixel,
-        facts: &ours,
+    let other = other(session, text)?;
+    let tolerances = Tolerances::default();
+    let pairs = side_by_side(&ours, &other.facts, &tolerances);
+    let causes = if other.is_same_pixel {
+        TreeDiff::new(
+            PixelReference {
+                scene: Some((&*session.world, &session.settings)),
+                pixel: (session.trace.x, session.trace.y),
+                facts: &ours,
+            },
+            &other.facts,
+            &tolerances,
+            &|quantity| quantity != QuantityKind::Order,
+        )
+    } else {
+        TreeDiff::default()
     };
-    let diff = TreeDiff::new(of, &theirs, &Tolerances::default(), &|quantity| {
-        quantity != QuantityKind::Order
-    });
-    let (x, y) = pixel;
+    let width = usize::from(model.layout.screen.width.min(124)).saturating_sub(26) / 2;
+    let first = causes.causes.first().map(|cause| &cause.first.path);
+    let pixel = (session.trace.x, session.trace.y);
+    let lines = pairs.iter().take(MOST_RAYS);
+    let lines = lines.map(|pair| line(pair, first == Some(&pair.path), pixel, width));
+    let mut list = PlaceList::new(format!("this tree | {text}"), lines.collect());
+    list.head = head(session, text, &causes, &other, &pairs);
+    let cause = pairs.iter().position(|pair| first == Some(&pair.path));
+    let different = pairs.iter().position(|pair| !pair.is_same());
+    list.chosen = cause.or(different).unwrap_or(0);
+    model.overlay = Some(Overlay::Places(list));
+    Ok(())
+}
+
+/// What differs, in words.
+fn head(
+    session: &Session,
+    text: &str,
+    causes: &TreeDiff,
+    other: &Other,
+    pairs: &[RayPair],
+) -> String {
+    let (x, y) = (session.trace.x, session.trace.y);
+    let different = pairs.iter().filter(|pair| !pair.is_same()).count();
+    if different == 0 && causes.is_empty() {
+        return format!(
+            "All {} rays agree.",
+            pairs.iter().map(|p| 1 + p.folded).sum::<usize>()
+        );
+    }
+    if !other.is_same_pixel {
+        return format!("Pixel {x},{y} beside pixel {text}; ≠ differs, - is not there.");
+    }
     let open = |compared: &Compared| format!(":{x},{y}{}", compared.path);
     let this = format!("{x},{y}");
     let sides = Sides {
         scene: &session.world.scene.name,
-        pixel,
+        pixel: (x, y),
         a: &this,
         b: text,
         open: &open,
     };
-    let told = if diff.is_empty() {
-        format!("All {} quantities agree.\n", diff.asked)
-    } else {
-        diff.to_text(sides, MOST_CAUSES)
-    };
-    model.overlay = Some(Overlay::Report("difference", told, 0));
-    Ok(())
+    causes.to_text(sides, MOST_CAUSES)
 }
 
-/// The other tree, and whether it is of the same pixel of the same scene.
-fn other(session: &Session, text: &str) -> Result<(PixelFacts, bool), String> {
+/// A ray in both trees, `width` columns each.
+fn line(pair: &RayPair, is_cause: bool, pixel: (u32, u32), width: usize) -> PlaceLine {
+    let level = pair.path.depth().min(width / 4);
+    let letter = pair
+        .path
+        .steps
+        .last()
+        .map_or("I".to_owned(), ToString::to_string);
+    let side = |words: &Option<String>| {
+        let words = words.as_deref().unwrap_or("-");
+        padded(&shortened(words, width), width)
+    };
+    let name = format!("{}{letter} ", " ".repeat(level));
+    let a = side(&pair.a.as_ref().map(|words| format!("{name}{words}")));
+    let b = side(&pair.b);
+    let sign = if pair.is_same() { "=" } else { "≠" };
+    let note = match (is_cause, pair.folded) {
+        (true, _) => " < first cause".to_owned(),
+        (false, 0) => String::new(),
+        (false, folded) => format!(" +{folded} below agree"),
+    };
+    let address = Address {
+        scene: None,
+        pixel,
+        path: pair.path.clone(),
+        part: None,
+    };
+    let place = match pair.a {
+        Some(_) => Place::Address(address),
+        None => Place::Told(format!(
+            "{}: this ray is in the other tree only",
+            name.trim()
+        )),
+    };
+    PlaceLine {
+        text: format!("{sign} {a} | {b}{note}"),
+        place,
+    }
+}
+
+/// The other tree.
+fn other(session: &Session, text: &str) -> Result<Other, String> {
     let here = (session.trace.x, session.trace.y);
     if let Some((flag, value)) = text.split_once('=') {
         let mut settings = session.settings;
-        set_knob(
-            &mut settings,
-            flag.trim().trim_start_matches('-'),
-            value.trim(),
-        )?;
+        let flag = flag.trim().trim_start_matches('-');
+        set_knob(&mut settings, flag, value.trim())?;
         if settings.size() != session.settings.size()
             || settings.arithmetic != session.settings.arithmetic
         {
@@ -81,8 +156,10 @@ fn other(session: &Session, text: &str) -> Result<(PixelFacts, bool), String> {
                 "`{flag}` cannot be compared here; use raytree diff"
             ));
         }
-        let theirs = session.settings.with(|s| *s = settings);
-        return Ok((traced(session, &theirs, here), true));
+        return Ok(Other {
+            facts: pixel_tree::traced(&session.world, &settings, here),
+            is_same_pixel: true,
+        });
     }
     if let Some(pixel) = pixel_of(text) {
         let (width, height) = session.settings.size();
@@ -91,48 +168,22 @@ fn other(session: &Session, text: &str) -> Result<(PixelFacts, bool), String> {
                 "pixel {text} is outside the picture of {width}x{height}"
             ));
         }
-        return Ok((traced(session, &session.settings, pixel), false));
+        return Ok(Other {
+            facts: pixel_tree::traced(&session.world, &session.settings, pixel),
+            is_same_pixel: pixel == here,
+        });
     }
-    from_file(text, here).map(|facts| (facts, true))
+    if text == "-" {
+        return Err("the keys are read from standard input; name a file".to_owned());
+    }
+    let facts = pixel_tree::in_file(text, Some(here)).map_err(|error| error.to_string())?;
+    Ok(Other {
+        facts,
+        is_same_pixel: true,
+    })
 }
 
 fn pixel_of(text: &str) -> Option<(u32, u32)> {
     let (x, y) = text.split_once(',')?;
     Some((x.trim().parse().ok()?, y.trim().parse().ok()?))
-}
-
-fn traced(session: &Session, settings: &crate::scene::Settings, at: (u32, u32)) -> PixelFacts {
-    let trace = trace_pixel(&session.world, settings, at, false);
-    pixel_facts(&document::of(View {
-        world: &session.world,
-        settings,
-        trace: &trace,
-    }))
-}
-
-/// The tree of a pixel in a file of ray trees.
-fn from_file(path: &str, pixel: (u32, u32)) -> Result<PixelFacts, String> {
-    let cannot = |error: std::io::Error| format!("cannot be read: {error}");
-    // A pipe or a device could be read for ever.
-    if !fs::metadata(path).map_err(cannot)?.is_file() {
-        return Err(format!("{path}: is no regular file"));
-    }
-    let mut bytes = Vec::new();
-    let most = MAX_TREE_FILE_BYTES as u64 + 1;
-    let file = File::open(path).map_err(cannot)?;
-    file.take(most).read_to_end(&mut bytes).map_err(cannot)?;
-    let mut trees = read_trees(&bytes, path);
-    let only = trees.len() == 1;
-    let is_it = |tree: &PixelFacts| tree.pixel.map_or(only, |at| at == pixel);
-    let place = trees.iter().position(|tree| tree.as_ref().is_ok_and(is_it));
-    match place.map(|place| trees.swap_remove(place)) {
-        Some(Ok(facts)) => Ok(facts),
-        _ => match trees.into_iter().find_map(Result::err) {
-            Some(error) => Err(error.to_string()),
-            None => Err(format!(
-                "{path}: has no tree of pixel {},{}",
-                pixel.0, pixel.1
-            )),
-        },
-    }
 }

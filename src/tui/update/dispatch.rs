@@ -2,7 +2,8 @@
 
 #[cfg(test)]
 use super::action;
-use super::{image, keys, mouse, output, play};
+use super::{image, keys, mouse, output, play, run};
+use crate::scene::printable::printable;
 use crate::tui::model::{Message, Model};
 
 /// Fits the picture to the screen and begins to render it.
@@ -15,7 +16,13 @@ pub fn start(model: &mut Model) {
         Some(marks) => {
             model.marked = marks.marks.len().saturating_sub(1);
             let count = marks.marks.len();
-            model.message = Some(format!("{count} marks: ' goes to the next"));
+            let scene = &model.options.scene;
+            let of = if marks.scene == *scene {
+                String::new()
+            } else {
+                format!(" of scene {}, and this is {scene}", printable(&marks.scene))
+            };
+            model.message = Some(format!("{count} marks{of}: ' goes to the next"));
             model.marks = marks;
         }
         None => model.marks.size = [width, height],
@@ -45,10 +52,14 @@ pub fn update(model: &mut Model, message: Message) -> bool {
         #[cfg(test)]
         Message::Action(action) => action::act(model, action),
         Message::Key(key) => known = keys::press(model, key),
+        Message::Paste(text) => keys::paste(model, &text),
         Message::Mouse(mouse, at) => mouse::point(model, mouse, at),
         Message::Resize(screen) => image::resize(model, screen),
         Message::Output(output) => output::take_in(model, output),
-        Message::Tick(now) => play::tick(model, now),
+        Message::Tick(now) => {
+            run::go_on(model);
+            play::tick(model, now);
+        }
     }
     if position(model) != before {
         model.layout.scroll = 0;

@@ -98,6 +98,21 @@ pub fn go_to(model: &mut Model, address: Address) -> Result<(), String> {
     Ok(())
 }
 
+/// Opens the tree of the pixel beside this one, at the same ray.
+pub fn neighbour(model: &mut Model, dx: i32, dy: i32) {
+    let mut address = model.address();
+    let (x, y) = address.pixel;
+    let (width, height) = model.picture.size;
+    let next = x.checked_add_signed(dx).zip(y.checked_add_signed(dy));
+    let Some(pixel) = next.filter(|(x, y)| *x < width && *y < height) else {
+        model.message = Some("this is the edge of the picture".to_owned());
+        return;
+    };
+    address.pixel = pixel;
+    address.part = None;
+    model.message = go_to(model, address).err();
+}
+
 /// Searches the picture anew: it is another one.
 fn search_again(model: &mut Model) {
     if let Some(search) = &model.search {
@@ -119,6 +134,10 @@ pub fn show(model: &mut Model, next: bool) {
         (Some(at), false) => at.checked_sub(1),
     };
     model.show = at.and_then(|at| modes.get(at)).copied();
+    if model.show == Some(ShowMode::Error) && model.settings.pixel.samples < 2 {
+        let told = "one sample tells no standard error: } takes twice as many";
+        model.message = Some(told.to_owned());
+    }
     model.picture.forget();
     render(model);
 }

@@ -7,6 +7,18 @@ use super::prompt;
 use crate::tui::model::bindings::lookup;
 use crate::tui::model::{Context, Model};
 
+/// A text was pasted: into the prompt, or nowhere.
+pub fn paste(model: &mut Model, text: &str) {
+    if model.context() == Context::Prompt {
+        for letter in text.trim().chars() {
+            prompt::typed(model, letter);
+        }
+    } else {
+        let told = "pasted text goes into prompts only: : goes to an address, / finds";
+        model.message = Some(told.to_owned());
+    }
+}
+
 /// A key was pressed. False if it means nothing here.
 pub fn press(model: &mut Model, key: KeyEvent) -> bool {
     // A shifted letter is another letter, however the terminal says it.
@@ -17,6 +29,12 @@ pub fn press(model: &mut Model, key: KeyEvent) -> bool {
         }
         _ => key,
     };
+    // What moves by itself stops; q and Esc do no more than that.
+    if model.is_moving() && matches!(key.code, KeyCode::Char('q') | KeyCode::Esc) {
+        (model.play, model.running) = (None, None);
+        model.message = Some("stopped".to_owned());
+        return true;
+    }
     // Where a text is typed, letters are letters.
     let is_text = !key
         .modifiers
@@ -26,5 +44,12 @@ pub fn press(model: &mut Model, key: KeyEvent) -> bool {
         return true;
     }
     let action = lookup(model.context(), key);
+    if action.is_none() {
+        (model.play, model.running) = (None, None);
+        if model.context() == Context::Text {
+            model.overlay = None;
+            return true;
+        }
+    }
     action.inspect(|action| act(model, *action)).is_some()
 }

@@ -3,7 +3,7 @@
 use std::fs::OpenOptions;
 use std::io::Write as _;
 
-use super::image;
+use super::{history, image};
 use crate::debug::marks::Mark;
 use crate::trace::Address;
 use crate::tui::model::Model;
@@ -16,6 +16,7 @@ pub fn mark(model: &mut Model, note: &str) {
         command: model.open_command(),
     };
     model.marks.marks.push(mark);
+    model.unsaved = true;
     let last = model.marks.marks.len() - 1;
     model.marked = last;
     model.message = Some(model.marks.told(last));
@@ -35,6 +36,7 @@ pub fn next(model: &mut Model) {
     let Ok(address) = address.parse::<Address>() else {
         return;
     };
+    history::leave(model);
     let gone = image::go_to(model, address).err();
     model.message = Some(gone.unwrap_or(told));
 }
@@ -44,12 +46,16 @@ pub fn write(model: &mut Model, path: &str) -> Result<(), String> {
     if model.marks.marks.is_empty() {
         return Err("nothing is marked: M marks what is shown".to_owned());
     }
-    let file = OpenOptions::new().write(true).create_new(true).open(path);
+    let file = OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(model.options.folder.join(path));
     let cannot = |error: std::io::Error| format!("cannot be written: {error}");
     let mut file = file.map_err(cannot)?;
     let json = model.marks.to_json();
     file.write_all(json.as_bytes()).map_err(cannot)?;
     let count = model.marks.marks.len();
+    model.unsaved = false;
     model.message = Some(format!(
         "{count} marks are in {path}; raytree view --marks {path} opens them"
     ));

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use crate::debug::StepCommand;
-use crate::tui::model::{Model, Play};
+use crate::tui::model::{Model, Play, PlayUnit};
 
 /// Steps in a second at first, and at most.
 const SLOWEST: u32 = 2;
@@ -25,7 +25,8 @@ pub fn play(model: &mut Model, forward: bool) {
     });
     let direction = if forward { "forwards" } else { "backwards" };
     model.message = Some(format!(
-        "playing {direction}, {speed} steps a second; any key stops"
+        "playing {} {direction}, {speed} steps a second; any other key stops",
+        unit(model.play_unit)
     ));
 }
 
@@ -40,14 +41,36 @@ pub fn tick(model: &mut Model, now: Instant) {
     }
     play.due = now + pause(play.speed);
     let before = session.cursor();
-    let command = if play.forward {
-        StepCommand::Forward
-    } else {
-        StepCommand::Back
+    use StepCommand as Step;
+    let command = match (model.play_unit, play.forward) {
+        (PlayUnit::Events, true) => Step::Forward,
+        (PlayUnit::Events, false) => Step::Back,
+        (PlayUnit::Rays, true) => Step::NextSent,
+        (PlayUnit::Rays, false) => Step::PreviousSent,
+        (PlayUnit::Levels, true) => Step::NextOfLevel,
+        (PlayUnit::Levels, false) => Step::PreviousOfLevel,
     };
     if session.step(command).is_err() || session.cursor() == before {
         model.play = None;
         model.message = Some("this is the end of the log".to_owned());
+    }
+}
+
+/// Chooses what a step is.
+pub fn by(model: &mut Model) {
+    model.play_unit = match model.play_unit {
+        PlayUnit::Events => PlayUnit::Rays,
+        PlayUnit::Rays => PlayUnit::Levels,
+        PlayUnit::Levels => PlayUnit::Events,
+    };
+    model.message = Some(format!("> and < play {}", unit(model.play_unit)));
+}
+
+fn unit(unit: PlayUnit) -> &'static str {
+    match unit {
+        PlayUnit::Events => "events",
+        PlayUnit::Rays => "rays",
+        PlayUnit::Levels => "rays level by level",
     }
 }
 

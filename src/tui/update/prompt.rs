@@ -1,19 +1,8 @@
 //! Prompt: a text that is typed, to go somewhere, to search, to change a setting, to compare.
 
-use super::{compare, image, marks, search, set};
-use crate::debug::search::READY;
+use super::{compare, history, image, marks, run, search, set};
+use crate::tui::model::examples::examples;
 use crate::tui::model::{Model, Overlay, Prompt};
-
-/// Settings to begin with.
-const SETTINGS: [&str; 7] = [
-    "samples=16",
-    "light-samples=1",
-    "sampling=random",
-    "depth=2",
-    "fresnel=schlick",
-    "exposure=2",
-    "accel=kd",
-];
 
 /// Letters of a text at most.
 const MOST_LETTERS: usize = 200;
@@ -46,13 +35,11 @@ pub fn ready(model: &mut Model, next: bool) {
     let Some(Overlay::Prompt(prompt, text)) = &mut model.overlay else {
         return;
     };
-    let texts: &[&str] = match prompt {
-        Prompt::Search => &READY,
-        Prompt::Compare => &compare::READY,
-        Prompt::Set => &SETTINGS,
-        Prompt::GoTo | Prompt::Note | Prompt::Write => return,
-    };
+    let texts = examples(*prompt);
     let count = texts.len();
+    if count == 0 {
+        return;
+    }
     let at = texts.iter().position(|ready| ready == text);
     let at = match (at, next) {
         (None, true) => 0,
@@ -75,8 +62,15 @@ pub fn accept(model: &mut Model) {
         }
         _ if text.trim().is_empty() => Ok(()),
         Prompt::Write => marks::write(model, text.trim()),
-        Prompt::GoTo => go_to(model, text.trim()),
-        Prompt::Search => search::start(model, text.trim()),
+        Prompt::Break => run::toggle(model, text.trim()),
+        Prompt::GoTo => {
+            history::leave(model);
+            go_to(model, text.trim())
+        }
+        Prompt::Search => {
+            history::leave(model);
+            search::start(model, text.trim())
+        }
         Prompt::Set => set::typed(model, text.trim()),
         Prompt::Compare => compare::typed(model, text.trim()),
     };

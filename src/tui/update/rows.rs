@@ -1,5 +1,6 @@
 //! Moves by rows of the focused pane, and scrolling of the help and the warnings.
 
+use crate::tui::model::layout::covered;
 use crate::tui::model::{Model, Overlay, Pane, inside};
 use crate::tui::panes::{details, help, report, warnings};
 
@@ -27,7 +28,7 @@ pub fn move_by(model: &mut Model, by: i32) {
 
 /// Scrolls the help or the warnings. False if neither is shown.
 pub fn scroll_text(model: &mut Model, by: i32) -> bool {
-    let screen = model.layout.screen;
+    let screen = covered(model.layout.screen);
     let last = match &model.overlay {
         Some(Overlay::Help(_)) => help::last_scroll(screen),
         Some(Overlay::Report(_, text, _)) => report::last_scroll(text, screen),

@@ -1,6 +1,6 @@
 //! Search: a query, what it finds in the picture and in the open tree.
 
-use super::image;
+use super::{history, image};
 use crate::debug::QuerySearch;
 use crate::tui::model::{Job, Model};
 
@@ -26,14 +26,17 @@ pub fn next(model: &mut Model, forward: bool) {
         model.message = Some("nothing is searched for: / asks for a query".to_owned());
         return;
     };
+    let query = search.query.clone();
+    if model.session.is_some() {
+        history::leave(model);
+    }
     if let Some(session) = &mut model.session {
-        model.message = Some(
-            session
-                .find(&search.query, forward)
-                .unwrap_or_else(|none| none),
-        );
+        model.message = Some(session.find(&query, forward).unwrap_or_else(|none| none));
         return;
     }
+    let Some(search) = &model.search else {
+        return;
+    };
     match search.pixel(model.picture.cursor, forward) {
         Some(pixel) => go(model, pixel),
         None => model.message = Some(search.told(model.picture.cursor)),

@@ -1,0 +1,132 @@
+//! Lists of places: where numbers come from and go, the samples of the pixel, the break points.
+
+use super::{history, image};
+use crate::debug::breaks;
+use crate::debug::origin::{OriginPlace, origins, uses};
+use crate::debug::samples::samples;
+use crate::trace::explain::source_text;
+use crate::trace::facts::TreePath;
+use crate::trace::{Address, explain};
+use crate::tui::model::list::{Place, PlaceLine, PlaceList};
+use crate::tui::model::{Model, Overlay};
+
+/// Shows where the numbers of the current event come from, or where they go.
+pub fn origin(model: &mut Model, back: bool) {
+    let Some(session) = &model.session else {
+        return;
+    };
+    let (view, here) = (session.view(), session.cursor().position());
+    let to = |at: usize, what: &str| PlaceLine {
+        text: format!("{what}: event {at}, {}", explain(view, at).title),
+        place: Place::Event(at),
+    };
+    let list = if back {
+        let lines = origins(view, here)
+            .into_iter()
+            .map(|origin| match origin.place {
+                OriginPlace::Event(at) => to(at, origin.what),
+                OriginPlace::Input(words) => PlaceLine {
+                    text: format!("{}: {words}", origin.what),
+                    place: Place::Told(format!(
+                        "{}: {words}; no step comes before that",
+                        origin.what
+                    )),
+                },
+            });
+        PlaceList::new("where the numbers come from", lines.collect())
+    } else {
+        let lines = uses(view, here).into_iter().map(|(at, what)| to(at, what));
+        PlaceList::new("where the numbers go", lines.collect())
+    };
+    if list.lines.is_empty() {
+        let pixel = "the numbers of this event go into no other one of this tree";
+        model.message = Some(pixel.to_owned());
+        return;
+    }
+    model.overlay = Some(Overlay::Places(list));
+}
+
+/// Shows the function that does what the current event tells.
+pub fn source(model: &mut Model) {
+    let Some(session) = &model.session else {
+        return;
+    };
+    let place = explain(session.view(), session.cursor().position()).source;
+    match source_text(place) {
+        Some(text) => {
+            let text = format!("{}\n\n{text}", place.file);
+            model.overlay = Some(Overlay::Report("the code of this event", text, 0));
+        }
+        None => model.message = Some("this event has no function of its own".to_owned()),
+    }
+}
+
+/// Shows the samples of the pixel.
+pub fn of_pixel(model: &mut Model) {
+    let Some(session) = &model.session else {
+        return;
+    };
+    let table = samples(session);
+    let pixel = (session.trace.x, session.trace.y);
+    let line = |(index, text): (u32, String)| PlaceLine {
+        text,
+        place: Place::Address(Address {
+            scene: None,
+            pixel,
+            path: TreePath {
+                sample: index,
+                ..TreePath::default()
+            },
+            part: None,
+        }),
+    };
+    let mut list = PlaceList::new(
+        "samples of the pixel",
+        table.lines.into_iter().map(line).collect(),
+    );
+    list.head = table.head;
+    model.overlay = Some(Overlay::Places(list));
+}
+
+/// Shows the break points; each leads to the first event that it stops at.
+pub fn break_points(model: &mut Model) {
+    let Some(session) = &model.session else {
+        return;
+    };
+    let line = |(text, first): (String, Option<usize>)| PlaceLine {
+        place: match first {
+            Some(event) => Place::Event(event),
+            None => Place::Told("this tree has none".to_owned()),
+        },
+        text,
+    };
+    let lines: Vec<_> = breaks::list(session, &model.breaks)
+        .into_iter()
+        .map(line)
+        .collect();
+    if lines.is_empty() {
+        model.message = Some("there are no break points: b sets one".to_owned());
+        return;
+    }
+    model.overlay = Some(Overlay::Places(PlaceList::new("break points", lines)));
+}
+
+/// Goes to the chosen place of a list.
+pub fn accept(model: &mut Model) {
+    let Some(Overlay::Places(list)) = model.overlay.take() else {
+        return;
+    };
+    let Some(line) = list.lines.into_iter().nth(list.chosen) else {
+        return;
+    };
+    history::leave(model);
+    match line.place {
+        Place::Event(at) => {
+            if let Some(session) = &mut model.session {
+                session.go_to_event(at);
+            }
+        }
+        Place::Address(address) => model.message = image::go_to(model, address).err(),
+        Place::Told(text) => model.message = Some(text),
+    }
+}
