@@ -66,7 +66,7 @@ const IN_PICTURE: [Kind; 3] = [
 ];
 
 /// While a tree is open.
-const IN_TREE: [Kind; 14] = [
+const IN_TREE: [Kind; 17] = [
     ("close", "q", &["\r"]),
     ("step", "n", &[]),
     ("back", "p", &[]),
@@ -80,6 +80,9 @@ const IN_TREE: [Kind; 14] = [
     ("pane", "\t", &[]),
     ("zoom", "z", &[]),
     ("view", "v", &[]),
+    ("run", "x", &["g"]),
+    ("find next", "f", &[]),
+    ("where from", "w", &["\x1b"]),
     ("help", "?", &[]),
 ];
 
@@ -134,6 +137,10 @@ fn keys() -> String {
                 if number == IN_PICTURE.len() {
                     terminal.press("\r");
                     open(&mut terminal);
+                    // A break point that never stops, and a search that goes on.
+                    for typed in ["b", "hits:nothing\r", "/", "some(depth >= 99)\r"] {
+                        terminal.press(typed);
+                    }
                 }
                 row.extend(pressed(&mut terminal, kind).map(|t| format!("{t:.1}")));
             }

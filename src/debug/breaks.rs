@@ -138,7 +138,10 @@ impl BreakPoint {
 
 /// True if a number of an event is none or infinite where it may not be, or a direction is not of length 1.
 fn is_invalid(event: &Event) -> bool {
-    let no_unit = |v: DVec3| !((v.length_squared() - 1.0).abs() <= UNIT);
+    let no_unit = |v: DVec3| {
+        let off = (v.length_squared() - 1.0).abs();
+        off.is_nan() || off > UNIT
+    };
     match event {
         Event::Ray(sent) => {
             no_unit(sent.direction) || !sent.origin.is_finite() || !sent.weight.is_finite()

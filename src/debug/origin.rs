@@ -61,11 +61,11 @@ pub fn origins(view: View, event: usize) -> Vec<Origin> {
         }
         Event::Ray(sent) => of.sent(sent.kind, sent.light),
         Event::Visit(visit) => {
-            of.event("the ray", |o| o.start());
+            of.start("the ray");
             of.event("the interval", |o| o.parent_visit(visit.node));
         }
         Event::Test { primitive, .. } => {
-            of.event("the ray", |o| o.start());
+            of.start("the ray");
             of.object("the shape", *primitive);
         }
         Event::LightSamples { light, .. } => {
@@ -74,15 +74,15 @@ pub fn origins(view: View, event: usize) -> Vec<Origin> {
             of.input("how many", "settings: light-samples");
         }
         Event::Hit(hit) | Event::Blocked(hit) | Event::Passed { hit, .. } => {
-            of.event("origin, direction", |o| o.start());
+            of.start("origin, direction");
             of.event("t", |o| o.test_of(hit.primitive));
             of.object("N", hit.primitive);
         }
         Event::Miss => {
-            of.event("direction", |o| o.start());
+            of.start("direction");
         }
         Event::Lit => {
-            of.event("the ray", |o| o.start());
+            of.start("the ray");
         }
         Event::Term {
             term,
@@ -90,7 +90,7 @@ pub fn origins(view: View, event: usize) -> Vec<Origin> {
             light,
         } => of.term(term, *light, *sample),
         Event::Boundary { .. } => {
-            of.event("I", |o| o.start());
+            of.start("I");
             of.event("N", |o| o.own(is_hit));
             of.material("n1, n2");
         }
@@ -192,8 +192,9 @@ impl Of<'_> {
     }
 
     /// Where the ray of this event is sent.
-    fn start(&self) -> Option<usize> {
-        Some(self.tree.node(self.node).first_event as usize)
+    fn start(&mut self, what: &'static str) {
+        let first = self.tree.node(self.node).first_event as usize;
+        self.push(what, OriginPlace::Event(first));
     }
 
     /// The ray's own event of a kind.

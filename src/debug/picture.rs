@@ -2,7 +2,7 @@
 
 use super::progressive::{BLOCKS, Missing};
 use super::window::Window;
-use crate::lab::show::{ShownRange, ShownValue};
+use crate::lab::show::{ShownRange, ShownValue, tenths};
 use crate::math::Rgb;
 use crate::tracer::CutShare;
 
@@ -133,6 +133,20 @@ impl PartialPicture {
     /// The range of the numbers that are known.
     pub fn range(&self) -> Option<ShownRange> {
         ShownRange::of(self.pixels.iter().flatten().copied())
+    }
+
+    /// How many of the numbers that are known fall into each tenth of their range.
+    pub fn tenths(&self) -> Option<(ShownRange, [usize; 10])> {
+        let range = self.range()?;
+        let numbers = self
+            .pixels
+            .iter()
+            .flatten()
+            .filter_map(|value| match value {
+                ShownValue::Number(x) => Some(*x),
+                _ => None,
+            });
+        Some((range, tenths(numbers, range)))
     }
 
     /// What a pixel shows, or the smallest block around it that is known.

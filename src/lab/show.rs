@@ -173,6 +173,23 @@ pub fn show(world: &World, settings: &Settings, mode: ShowMode, threads: usize) 
     })
 }
 
+/// How many numbers fall into each tenth of a range.
+pub fn tenths(
+    numbers: impl Iterator<Item = f64>,
+    ShownRange(least, most): ShownRange,
+) -> [usize; 10] {
+    let mut bins = [0; 10];
+    for x in numbers.filter(|x| x.is_finite()) {
+        let share = if most > least {
+            (x - least) / (most - least)
+        } else {
+            0.0
+        };
+        bins[((share * 10.0) as usize).min(9)] += 1;
+    }
+    bins
+}
+
 /// Numbers in words: the least, the middle one, the mean and the largest, and how many fall into each tenth of the range.
 pub fn summary(values: &[ShownValue], mode: ShowMode) -> Option<String> {
     let mut numbers: Vec<f64> = values
@@ -186,15 +203,7 @@ pub fn summary(values: &[ShownValue], mode: ShowMode) -> Option<String> {
     let (least, most) = (*numbers.first()?, *numbers.last()?);
     let mean = numbers.iter().sum::<f64>() / numbers.len() as f64;
     let median = numbers[numbers.len() / 2];
-    let mut bins = [0usize; 10];
-    for x in &numbers {
-        let share = if most > least {
-            (x - least) / (most - least)
-        } else {
-            0.0
-        };
-        bins[((share * 10.0) as usize).min(9)] += 1;
-    }
+    let bins = tenths(numbers.iter().copied(), ShownRange(least, most));
     let shares = bins.map(|n| format!("{:.1}", 100.0 * n as f64 / numbers.len() as f64));
     let num = crate::trace::format::num;
     Some(format!(

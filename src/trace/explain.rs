@@ -5,6 +5,7 @@
 
 mod absence;
 mod end;
+mod fresnel;
 mod light_samples;
 mod ray;
 mod screen;

@@ -5,6 +5,7 @@ pub mod convergence;
 pub mod details;
 pub mod effects;
 pub mod help;
+pub mod hints;
 pub mod list;
 pub mod paths;
 pub mod picture;

@@ -268,7 +268,7 @@ fn the_deepest_tree_needs_no_deep_stack_of_the_caller() {
         s.recursion.min_weight = 0.0;
     });
     let small = std::thread::Builder::new().stack_size(256 << 10);
-    let traced = move || pixel_tree::traced(&world, &settings, (80, 60));
+    let traced = move || pixel_tree::traced(&world, &settings, (193, 86));
     let tree = small
         .spawn(traced)
         .expect("a thread")

@@ -2,6 +2,8 @@
 #![cfg(unix)]
 
 mod outside;
+mod stories;
+mod typed_at_random;
 
 use std::io::{Read, Write};
 use std::sync::mpsc::{Receiver, channel};

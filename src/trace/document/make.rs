@@ -4,11 +4,11 @@ use super::settings::settings;
 use super::step::finite;
 use super::{
     AbsentRay, Document, DocumentCuts, FormatVersion, HitPoint, ImageSize, LightSummary,
-    MediumBoundary, PassedSurface, PixelColor, PixelIndex, RayNode, RayOutcome, SampleTree,
-    SceneId, TermValue, step,
+    MediumBoundary, PassedSurface, PixelColor, PixelIndex, PointOfLight, RayNode, RayOutcome,
+    SampleTree, SceneId, TermValue, step,
 };
 use crate::math::Rgb;
-use crate::probe::{Absence, Event, NONE, RayKind};
+use crate::probe::{Absence, Event, NONE, RayKind, RayRecord};
 use crate::trace::tree::Sample;
 use crate::trace::{LightEstimate, Outcome, SurfaceHit, View};
 
@@ -99,6 +99,7 @@ fn ray_node(view: View, id: u32, children: Vec<RayNode>) -> RayNode {
         hit: hit.as_ref().map(|hit| Box::new(hit_point(hit))),
         light: light_name(view, ray.light),
         sample: sample_number(view, ray.light, ray.sample),
+        light_point: this.parent.and_then(|p| light_point(view, p, ray)),
         bundles: Vec::new(),
         boundary: None,
         terms: Vec::new(),
@@ -114,6 +115,19 @@ fn ray_node(view: View, id: u32, children: Vec<RayNode>) -> RayNode {
     let estimates = view.light_estimates(id);
     node.bundles = estimates.iter().map(|e| light_summary(view, e)).collect();
     node
+}
+
+/// The point of an area light that an L ray from the hit of `parent` goes to.
+fn light_point(view: View, parent: u32, ray: &RayRecord) -> Option<Box<PointOfLight>> {
+    let asked = view.asked_point(parent, (ray.light, u32::from(ray.sample)))?;
+    Some(Box::new(PointOfLight {
+        point: asked.point.to_array(),
+        radiance: asked.radiance,
+        area: asked.area,
+        cosine: asked.cosine,
+        distance: asked.distance,
+        samples: asked.samples,
+    }))
 }
 
 /// Adds what an event of a ray says to its node.

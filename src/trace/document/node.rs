@@ -52,6 +52,9 @@ pub struct RayNode {
     /// Of L rays to an area light, which of its samples this is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sample: Option<u32>,
+    /// Of L rays to an area light whose points are chosen by its area.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub light_point: Option<Box<PointOfLight>>,
     /// Of hits that send rays to area lights.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bundles: Vec<LightSummary>,
@@ -75,6 +78,23 @@ pub struct RayNode {
     /// With `--traversal`: every step through the acceleration structure.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub traversal: Vec<TraversalStep>,
+}
+
+/// The point on an area light that an L ray goes to. What arrives is radiance x area x cosine / (pi x distance^2 x samples).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PointOfLight {
+    /// In world space.
+    pub point: Vector,
+    /// Le, the radiance of the light.
+    pub radiance: Rgb,
+    /// The area among whose points it was chosen, in square metres.
+    pub area: f64,
+    /// Between the light's normal and the way to the surface.
+    pub cosine: f64,
+    /// From the hit point, in metres.
+    pub distance: f64,
+    /// How many points are chosen.
+    pub samples: u32,
 }
 
 /// How a ray ended.

@@ -140,9 +140,17 @@ fn transmitted(view: View, node: u32, sent: &RayRecord) -> Explanation {
         .row(
             "T",
             format!(
-                "eta I + (eta cos - sqrt(k)) N, at {} from -N",
-                degrees(-n.dot(sent.direction))
+                "eta I + (eta cos - sqrt(k)) N = {} {} + {} {} = {}",
+                num(eta),
+                vec3(i),
+                num(eta * c - k.max(0.0).sqrt()),
+                vec3(n),
+                vec3(sent.direction)
             ),
+        )
+        .row(
+            "angle",
+            format!("{} from -N", degrees(-n.dot(sent.direction))),
         )
 }
 

@@ -1,6 +1,6 @@
 //! Surfaces: where a ray hits one, goes straight through one, or meets the boundary of a medium.
 
-use super::{Explanation, end};
+use super::{Explanation, end, fresnel};
 use crate::geometry::{Hit, Offset};
 use crate::math::Ray;
 use crate::probe::NONE;
@@ -115,10 +115,7 @@ pub fn boundary(view: View, node: u32, n1: f64, n2: f64, reflectance: f64) -> Ex
     )
     .row("n1", format!("{} on this side", num(n1)))
     .row("n2", format!("{} on the other side", num(n2)))
-    .row(
-        "F",
-        format!("{} by the model `{:?}`", num(reflectance), view.settings.fresnel).to_lowercase(),
-    );
+    .row("F", format!("{}: the share that is reflected", num(reflectance)));
     let Some(SurfaceHit { at, material, .. }) = view.surface_hit(node) else {
         return explanation;
     };
@@ -132,9 +129,11 @@ pub fn boundary(view: View, node: u32, n1: f64, n2: f64, reflectance: f64) -> Ex
             format!("`{}`", touching.join("`, `")),
         )
     };
-    explanation
-        .row("angle", degrees(at.normal.dot(at.to_viewer)))
-        .row("critical angle", critical_angle(n1, n2))
+    let cosine = at.normal.dot(at.to_viewer);
+    let explanation = explanation
+        .row("angle", degrees(cosine))
+        .row("critical angle", critical_angle(n1, n2));
+    fresnel::formula(view.settings.fresnel, cosine, (n1, n2), explanation)
         .color("Wr = Kr + F Kt", reflected)
         .color("Wt = (1 - F) Kt", transmitted)
 }

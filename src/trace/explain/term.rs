@@ -1,7 +1,9 @@
 //! Terms of the shading equation.
 
 use super::Explanation;
+use crate::math::Rgb;
 use crate::probe::{Term, highlight};
+use crate::shading::{LightKind, LightSample};
 use crate::trace::View;
 use crate::trace::format::{degrees, num, rgb, vec3};
 
@@ -60,16 +62,16 @@ fn base_term(view: View, node: u32, term: &Term, light: (u32, u32)) -> Explanati
             )
             .color("Kd", kd)
             .color("I", intensity);
-            directions(view, node, light, explanation)
+            arriving(view, node, light, directions(view, node, light, explanation))
                 .row("N.L", format!("{} ({})", num(n_dot_l), degrees(n_dot_l)))
                 .row("", "Kd I (N.L)")
         }
-        Term::Specular { ks, intensity, r_dot_v, shininess } => Explanation::new(
+        Term::Specular { ks, intensity, r_dot_v, shininess } => mirrored(view, node, light, Explanation::new(
             format!("specular term of `{name}`"),
             "The highlight: how near the mirrored light comes to the viewer, sharpened by the exponent.",
         )
         .color("Ks", ks)
-        .color("I", intensity)
+        .color("I", intensity))
         .row("R.V", format!("{} ({})", num(r_dot_v), degrees(r_dot_v)))
         .row("n", num(shininess))
         .row("(R.V)^n", num(highlight(r_dot_v, shininess)))
@@ -87,4 +89,93 @@ fn directions(view: View, node: u32, light: (u32, u32), explanation: Explanation
     explanation
         .row("N", vec3(hit.at.normal))
         .row("L", vec3(seen.direction))
+}
+
+/// R, the direction to the light mirrored at N, and V, that to the viewer.
+fn mirrored(view: View, node: u32, light: (u32, u32), explanation: Explanation) -> Explanation {
+    let Some((hit, seen)) = view.surface_hit(node).zip(view.light_sample(node, light)) else {
+        return explanation;
+    };
+    let (n, l) = (hit.at.normal, seen.direction);
+    let r = 2.0 * n.dot(l) * n - l;
+    explanation
+        .row("L", vec3(l))
+        .row("N", vec3(n))
+        .row("R", format!("2 (N.L) N - L = {}", vec3(r)))
+        .row("V", vec3(hit.at.to_viewer))
+}
+
+/// How I, what arrives from a sample of a light, was computed.
+fn arriving(view: View, node: u32, light: (u32, u32), explanation: Explanation) -> Explanation {
+    if let Some(asked) = view.asked_point(node, light) {
+        return explanation
+            .row("point on the light", vec3(asked.point))
+            .color("Le", asked.radiance)
+            .row("A", format!("{} square metres", num(asked.area)))
+            .row(
+                "cos'",
+                format!(
+                    "{} at the light ({})",
+                    num(asked.cosine),
+                    degrees(asked.cosine)
+                ),
+            )
+            .row(
+                "r",
+                format!(
+                    "{}, r^2 = {}",
+                    num(asked.distance),
+                    num(asked.distance * asked.distance)
+                ),
+            )
+            .row("samples", asked.samples.to_string())
+            .row("I", "Le A cos' / (pi r^2 samples)");
+    }
+    let lights = &view.world.scene.lights;
+    let Some((kind, seen)) = lights
+        .get(light.0 as usize)
+        .map(|l| &l.kind)
+        .zip(view.light_sample(node, light))
+    else {
+        return explanation;
+    };
+    match kind {
+        LightKind::Point {
+            intensity,
+            attenuation,
+            ..
+        } => attenuated(explanation, (*attenuation, *intensity), &seen),
+        LightKind::Spot {
+            intensity,
+            attenuation,
+            exponent,
+            ..
+        } => attenuated(explanation, (*attenuation, *intensity), &seen).row(
+            "fall-off",
+            format!(
+                "cos^e = {}^{}, cos between the spot's axis and -L",
+                num(seen.cos_angle),
+                num(*exponent)
+            ),
+        ),
+        LightKind::Directional { .. } | LightKind::Area(_) => explanation,
+    }
+}
+
+/// How the intensity of a light falls with the distance.
+fn attenuated(
+    explanation: Explanation,
+    ([a, b, c], intensity): ([f64; 3], Rgb),
+    seen: &LightSample,
+) -> Explanation {
+    let r = seen.distance;
+    let numbers = [a, b, r, c, r * r, seen.attenuation].map(num);
+    let [a, b, r, c, squared, factor] = numbers;
+    explanation
+        .color("I of the light", intensity)
+        .row("r", r.as_str())
+        .row(
+            "attenuation",
+            format!("1 / (a + b r + c r^2) = 1 / ({a} + {b} {r} + {c} {squared}) = {factor}"),
+        )
 }

@@ -30,6 +30,7 @@ pub const RAY_FIELDS: [&str; 25] = [
     "light",
     "sample",
     "bundles",
+    "light_point",
     "boundary",
     "terms",
     "radiance",

@@ -21,12 +21,12 @@ pub struct PlaceLine {
     /// What it says.
     pub text: String,
     /// Where it leads.
-    pub place: Place,
+    pub place: Destination,
 }
 
 /// Where a line leads.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Destination {
     /// To an event of the open tree.
     Event(usize),
     /// To an address.

@@ -9,6 +9,7 @@ use super::action::Context;
 use super::layout::{Pane, Panes, Shown, inside};
 use super::list::PlaceList;
 use super::message::Job;
+use super::motion::{History, Play, PlayUnit, Running};
 use super::options::Options;
 use super::placement::Placement;
 use crate::debug::breaks::BreakPoint;
@@ -70,47 +71,6 @@ pub enum Request {
     Suspend,
     /// To end.
     Quit,
-}
-
-/// Steps that run by themselves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Play {
-    /// Whether forwards through the log, or backwards.
-    pub forward: bool,
-    /// Steps in a second.
-    pub speed: u32,
-    /// When the next one is due.
-    pub due: Instant,
-}
-
-/// A run through the log to the next break point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Running {
-    /// Whether forwards, or backwards.
-    pub forward: bool,
-    /// The event that it came to.
-    pub from: usize,
-}
-
-/// What a step is that runs by itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum PlayUnit {
-    /// An event.
-    #[default]
-    Events,
-    /// A ray, in the order in which they are sent.
-    Rays,
-    /// A ray, in the order of the tree's levels.
-    Levels,
-}
-
-/// Places that were left by a jump, and those that were left by going back; the nearest at the end.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct History {
-    /// To go back to.
-    pub past: Vec<Address>,
-    /// To go forward to.
-    pub future: Vec<Address>,
 }
 
 /// What the user arranged on the screen.

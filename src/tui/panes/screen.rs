@@ -9,8 +9,8 @@ use ratatui::widgets::{Block, BorderType, Widget};
 
 use super::text::shortened;
 use super::{
-    bars, convergence, details, effects, help, list, paths, picture, report, steps, theme, tree,
-    warnings,
+    bars, convergence, details, effects, help, hints, list, paths, picture, report, steps, theme,
+    tree, warnings,
 };
 use crate::debug::Session;
 use crate::tui::model::layout::covered;
@@ -43,8 +43,8 @@ pub fn draw(model: &Model, screen: Rect, buffer: &mut Buffer) {
     report::draw(model, over, buffer);
     list::draw(model, over, buffer);
     help::draw(model, over, buffer);
-    bars::hint(model, panes.hint, buffer);
-    bars::message(model, &panes, buffer);
+    hints::hint(model, panes.hint, buffer);
+    hints::message(model, &panes, buffer);
     theme::quantize_colors(buffer, model.options.color);
 }
 

@@ -18,18 +18,8 @@ pub fn act(model: &mut Model, action: Action) {
         Action::Quit => model.request = Request::Quit,
         Action::Suspend => model.request = Request::Suspend,
         Action::Back => back(model),
-        Action::Help => {
-            model.overlay = match model.overlay {
-                Some(Overlay::Help(_)) => None,
-                _ => Some(Overlay::Help(0)),
-            }
-        }
-        Action::Warnings => {
-            model.overlay = match model.overlay {
-                Some(Overlay::Warnings(_)) => None,
-                _ => Some(Overlay::Warnings(0)),
-            }
-        }
+        Action::Help => show_or_hide(model, Overlay::Help(0)),
+        Action::Warnings => show_or_hide(model, Overlay::Warnings(0)),
         Action::Mouse => catch_mouse(model),
         Action::Rows(by) | Action::Move(_, by) if rows::scroll_text(model, by) => {}
         Action::Pages(by) if rows::scroll_text(model, by * 10) => {}
@@ -78,6 +68,13 @@ pub fn act(model: &mut Model, action: Action) {
         Action::Show(next) => image::show(model, next),
         _ => in_tree(model, action),
     }
+}
+
+/// Shows a text, or hides it if it is there, however far it is scrolled.
+fn show_or_hide(model: &mut Model, text: Overlay) {
+    let there = model.overlay.as_ref().map(std::mem::discriminant);
+    let is_there = there == Some(std::mem::discriminant(&text));
+    model.overlay = (!is_there).then_some(text);
 }
 
 /// Chooses a line further down, or up.

@@ -41,14 +41,13 @@ pub fn tick(model: &mut Model, now: Instant) {
     }
     play.due = now + pause(play.speed);
     let before = session.cursor();
-    use StepCommand as Step;
     let command = match (model.play_unit, play.forward) {
-        (PlayUnit::Events, true) => Step::Forward,
-        (PlayUnit::Events, false) => Step::Back,
-        (PlayUnit::Rays, true) => Step::NextSent,
-        (PlayUnit::Rays, false) => Step::PreviousSent,
-        (PlayUnit::Levels, true) => Step::NextOfLevel,
-        (PlayUnit::Levels, false) => Step::PreviousOfLevel,
+        (PlayUnit::Events, true) => StepCommand::Forward,
+        (PlayUnit::Events, false) => StepCommand::Back,
+        (PlayUnit::Rays, true) => StepCommand::NextSent,
+        (PlayUnit::Rays, false) => StepCommand::PreviousSent,
+        (PlayUnit::Levels, true) => StepCommand::NextOfLevel,
+        (PlayUnit::Levels, false) => StepCommand::PreviousOfLevel,
     };
     if session.step(command).is_err() || session.cursor() == before {
         model.play = None;

@@ -40,6 +40,9 @@ pub fn check_term(node: &Value, term: &Value) {
         .find(|c| c["kind"] == "L" && &c["light"] == light && c.get("sample") == term.get("sample"))
         .expect("a lit term has its shadow ray");
     assert_eq!(shadow_ray["outcome"], "lit");
+    if let Some(asked) = shadow_ray.get("light_point") {
+        check_light_point(node, term, asked);
+    }
     let (l, n) = (
         vector(&shadow_ray["direction"]),
         vector(&node["hit"]["normal"]),
@@ -75,4 +78,23 @@ pub fn check_bundles(node: &Value, met: &mut Met) {
         assert!(close(sum, vector(&bundle["mean"]), 1e-12));
         assert!(number(&bundle["standard_error"]) >= 0.0);
     }
+}
+
+/// What arrives from a point of an area light: I = Le A cos' / (pi r^2 N), and the point is where the distance says.
+fn check_light_point(node: &Value, term: &Value, asked: &Value) {
+    let (r, samples) = (number(&asked["distance"]), number(&asked["samples"]));
+    let share = number(&asked["area"]) * number(&asked["cosine"])
+        / (std::f64::consts::PI * r * r * samples);
+    let arrives = vector(&asked["radiance"]).map(|le| le * share);
+    let told = vector(&term["intensity"]);
+    assert!(
+        close(told, arrives, 1e-9 * (1.0 + length(told))),
+        "{term} {asked}"
+    );
+    let way = combine(
+        vector(&asked["point"]),
+        vector(&node["hit"]["point"]),
+        |a, b| a - b,
+    );
+    assert!((length(way) - r).abs() <= 1e-9 * (1.0 + r), "{asked}");
 }

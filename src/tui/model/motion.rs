@@ -1,0 +1,46 @@
+//! How the cursor moves other than by a key a step: by itself, to a break point, back over its jumps.
+
+use std::time::Instant;
+
+use crate::trace::Address;
+
+/// Steps that run by themselves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Play {
+    /// Whether forwards through the log, or backwards.
+    pub forward: bool,
+    /// Steps in a second.
+    pub speed: u32,
+    /// When the next one is due.
+    pub due: Instant,
+}
+
+/// A run through the log to the next break point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Running {
+    /// Whether forwards, or backwards.
+    pub forward: bool,
+    /// The event that it came to.
+    pub from: usize,
+}
+
+/// What a step is that runs by itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PlayUnit {
+    /// An event.
+    #[default]
+    Events,
+    /// A ray, in the order in which they are sent.
+    Rays,
+    /// A ray, in the order of the tree's levels.
+    Levels,
+}
+
+/// Places that were left by a jump, and those that were left by going back; the nearest at the end.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct History {
+    /// To go back to.
+    pub past: Vec<Address>,
+    /// To go forward to.
+    pub future: Vec<Address>,
+}
