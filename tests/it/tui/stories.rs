@@ -23,10 +23,11 @@ fn a_step_is_found_and_opened_again_from_a_pasted_line() {
         .map(|line| format!("{} ", line.trim()))
         .collect();
     let words = shlex::split(&told).expect("words of a shell");
+    // Behind it stand the keys.
     let end = words
         .iter()
-        .position(|word| word == "--seed")
-        .map_or(words.len(), |at| at + 2);
+        .position(|word| word == "?")
+        .unwrap_or(words.len());
     let event = |session: &Session| {
         let text = session.text();
         let from = text.find("event ").expect("an event") + 6;
