@@ -5,9 +5,15 @@ use std::fmt::{self, Write};
 use super::heading;
 use super::tree_layout::{Figure, figures, hex, ink};
 use crate::scene::printable::printable_lines;
-use crate::trace::document::Document;
+use crate::trace::document::{Document, TestedPrimitive, TraversalStep, VisitedChildren};
+use crate::trace::format::{counted, num};
 
-/// A document in the DOT language, written by `Display`: a box a ray, dotted lines to the rays that were not sent.
+/// Steps through the accelerator that a ray's note tells at most; of more, the first and the last ones.
+const MAX_STEPS: usize = 12;
+const LAST_STEPS: usize = 4;
+
+/// A document in the DOT language, written by `Display`: a box a ray, dotted lines to the rays that were not sent, and
+/// to notes with the steps through the accelerator.
 pub struct Dot<'a>(pub &'a Document);
 
 impl fmt::Display for Dot<'_> {
@@ -37,6 +43,7 @@ impl fmt::Display for Dot<'_> {
             }
         }
         absences(f, &figures)?;
+        traversals(f, &figures)?;
         if left_out > 0 {
             writeln!(
                 f,
@@ -61,6 +68,74 @@ fn absences(f: &mut fmt::Formatter, figures: &[Figure]) -> fmt::Result {
         writeln!(f, "  n{i} -> a{number} [style=dotted];")?;
     }
     Ok(())
+}
+
+/// The steps of each ray through the accelerator, as a note below the ray.
+fn traversals(f: &mut fmt::Formatter, figures: &[Figure]) -> fmt::Result {
+    for (i, figure) in figures.iter().enumerate() {
+        let steps = &figure.node.traversal;
+        if steps.is_empty() {
+            continue;
+        }
+        let count = steps.len();
+        let (first, folded) = if count > MAX_STEPS {
+            (MAX_STEPS - LAST_STEPS, count - MAX_STEPS)
+        } else {
+            (count, 0)
+        };
+        // `\l` ends a line that stands at the left.
+        let mut label = format!("{}\\l", counted(count as u64, "step"));
+        for step in &steps[..first] {
+            write!(label, "{}\\l", escape(&brief(step)))?;
+        }
+        if folded > 0 {
+            write!(label, "... {folded} more ...\\l")?;
+        }
+        for step in &steps[first + folded..] {
+            write!(label, "{}\\l", escape(&brief(step)))?;
+        }
+        writeln!(
+            f,
+            "  s{i} [label=\"{label}\", shape=note, style=\"\", fontsize=10];"
+        )?;
+        writeln!(f, "  n{i} -> s{i} [style=dashed, arrowhead=none];")?;
+    }
+    Ok(())
+}
+
+/// A step in a few words.
+fn brief(step: &TraversalStep) -> String {
+    match step {
+        TraversalStep::Visit {
+            node,
+            near,
+            far,
+            visit,
+            reason,
+            ..
+        } => {
+            let child = |id: &Option<u32>| id.map_or("empty".to_owned(), |id| id.to_string());
+            match visit {
+                VisitedChildren::Near => format!("node {node}: near {}", child(near)),
+                VisitedChildren::Far => format!("node {node}: far {}", child(far)),
+                VisitedChildren::Both => {
+                    format!("node {node}: near {}, then far {}", child(near), child(far))
+                }
+                VisitedChildren::Children | VisitedChildren::None => {
+                    format!("node {node}: {reason}")
+                }
+            }
+        }
+        TraversalStep::Test {
+            test: TestedPrimitive { object, primitive },
+            result,
+            t,
+            ..
+        } => {
+            let at = t.map_or(String::new(), |t| format!(" at t = {}", num(t)));
+            format!("test {object} {primitive}: {}{at}", result.name())
+        }
+    }
 }
 
 /// The text, fit for a string of the language.
