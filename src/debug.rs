@@ -2,7 +2,9 @@
 //!
 //! Nothing here knows a terminal, a key or a layout; the faces draw what is computed here.
 
+pub mod cell;
 pub mod convergence;
+pub mod crossings;
 pub mod cursor;
 pub mod drawing;
 pub mod effects;
@@ -18,7 +20,9 @@ pub mod rows;
 pub mod samples;
 pub mod search;
 pub mod session;
+pub mod step_tree;
 pub mod steps;
+pub mod t_axis;
 #[cfg(test)]
 mod tests;
 pub mod window;

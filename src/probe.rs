@@ -250,6 +250,19 @@ impl Visit {
         Self::step(node, inside, nearest, Choice::Children)
     }
 
+    /// True if the node's primitives are tested, and those of no node below it.
+    pub fn is_leaf(&self) -> bool {
+        matches!(self.choice, Choice::Leaf | Choice::Cell)
+    }
+
+    /// True if the node is left out whole.
+    pub fn is_skipped(&self) -> bool {
+        matches!(
+            self.choice,
+            Choice::SkippedCloserHit | Choice::SkippedOutside | Choice::SkippedMissed
+        )
+    }
+
     fn step(node: u32, inside: Interval, [near, far]: [u32; 2], choice: Choice) -> Event {
         Event::Visit(Self {
             node,

@@ -14,6 +14,7 @@ mod search;
 mod set;
 mod show;
 mod sizes;
+mod steps;
 mod support;
 mod walk;
 mod warnings;
