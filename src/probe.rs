@@ -255,12 +255,14 @@ impl Visit {
         matches!(self.choice, Choice::Leaf | Choice::Cell)
     }
 
+    /// True if no part of the ray is inside the node.
+    pub fn is_missed(&self) -> bool {
+        matches!(self.choice, Choice::SkippedOutside | Choice::SkippedMissed)
+    }
+
     /// True if the node is left out whole.
     pub fn is_skipped(&self) -> bool {
-        matches!(
-            self.choice,
-            Choice::SkippedCloserHit | Choice::SkippedOutside | Choice::SkippedMissed
-        )
+        self.is_missed() || self.choice == Choice::SkippedCloserHit
     }
 
     fn step(node: u32, inside: Interval, [near, far]: [u32; 2], choice: Choice) -> Event {

@@ -1,7 +1,7 @@
 //! Steps of a ray through the acceleration structure, in words: nodes visited and skipped, shapes tested.
 
 use super::session::Session;
-use crate::probe::{Choice, Event, RayKind, Verdict, Visit};
+use crate::probe::{Choice, Event, NONE, RayKind, Verdict, Visit};
 use crate::trace::format::{counted, num};
 
 /// What a step came to.
@@ -69,19 +69,25 @@ pub fn totals(session: &Session, width: usize) -> String {
         Some(step) => format!(" {}/{of}", step + 1),
         None => String::new(),
     };
-    let work = |of: &str| {
-        // A list has no nodes.
-        let nodes = (nodes > 0).then(|| format!("{visited}{of}{nodes} nodes, "));
-        format!("{}{tested}{of}{shapes} shapes", nodes.unwrap_or_default())
+    // A list has no nodes.
+    let work = |of_nodes: String, of_shapes: String| {
+        let nodes = (nodes > 0).then(|| format!("{visited}{of_nodes} nodes, "));
+        format!("{}{tested}{of_shapes} shapes", nodes.unwrap_or_default())
     };
+    let of_all = |of: &str| work(format!("{of}{nodes}"), format!("{of}{shapes}"));
     let ways = [
-        format!("{kind}{}: {}", at(true), work(" of ")),
-        format!("{kind}{}: {}", at(false), work(" of ")),
-        format!("{kind}{}: {}", at(false), work("/")),
-        format!("{kind}{}", at(true)),
+        format!("{kind}{}: {}", at(true), of_all(" of ")),
+        format!("{kind}{}: {}", at(false), of_all(" of ")),
+        format!("{kind}{}: {}", at(false), of_all("/")),
+        format!(
+            "{kind}{}: {}",
+            at(false),
+            work(String::new(), String::new())
+        ),
+        format!("{kind}{}", at(false)),
     ];
     let fits = |way: &&String| way.chars().count() <= width;
-    ways.iter().find(fits).unwrap_or(&ways[3]).clone()
+    ways.iter().find(fits).unwrap_or(&ways[4]).clone()
 }
 
 /// A node: what is done and why not more, then where it is split and which part of the ray is inside.
@@ -105,7 +111,11 @@ fn visited(session: &Session, visit: &Visit) -> StepText {
         guides: String::new(),
         name: format!("node {}", visit.node),
         result: choice(session, visit),
-        interval: format!("  {plane}inside t {t0}..{t1}"),
+        interval: if visit.is_missed() {
+            String::new()
+        } else {
+            format!("  {plane}inside t {t0}..{t1}")
+        },
     }
 }
 
@@ -133,7 +143,9 @@ fn choice(session: &Session, visit: &Visit) -> String {
         Choice::FarSplitBefore => format!(" far {far}, not {near}: plane before"),
         Choice::SkippedCloserHit => " skipped: a closer hit is known".to_owned(),
         Choice::SkippedOutside => " skipped: outside the box".to_owned(),
-        Choice::Children => " the children it meets, nearest first".to_owned(),
+        Choice::Children if visit.near == NONE => " misses all children".to_owned(),
+        Choice::Children if visit.far == NONE => format!(" on to {near}"),
+        Choice::Children => format!(" on to {near}, then {far}, nearest first"),
         Choice::SkippedMissed => " skipped: misses its box".to_owned(),
     }
 }

@@ -40,6 +40,9 @@ pub struct TAxis {
 }
 
 impl AxisMarkKind {
+    /// Every kind, in the order of the legend.
+    const ALL: [Self; 3] = [Self::Split, Self::Crossing, Self::Found];
+
     /// Its letter.
     pub fn letter(self) -> char {
         match self {
@@ -71,7 +74,8 @@ impl TAxis {
         if let Some(step) = session.step_number(event) {
             match session.tree().events.get(event)? {
                 Event::Visit(visit) => {
-                    (bar, what) = (Some(visit.interval), "inside the node");
+                    let inside = (!visit.is_missed()).then_some(visit.interval);
+                    (bar, what) = (inside, "inside the node");
                     marks.push((visit.t_split, AxisMarkKind::Split));
                 }
                 Event::Test { primitive, .. } => {
@@ -123,24 +127,34 @@ impl TAxis {
         format!("{from} {} {to}", cells.iter().collect::<String>())
     }
 
-    /// What the letters of the line mean, with the numbers.
-    pub fn legend(&self) -> String {
-        let mut parts = Vec::new();
-        if let Some([start, end]) = self.bar {
-            let (what, start, end) = (self.what, short(start), short(end));
-            parts.push(format!("[=] {what} {start}..{end}"));
+    /// What the letters of the line mean, with the numbers; without the words where there is no room for them.
+    pub fn legend(&self, width: usize) -> String {
+        let long = self.legend_with(true);
+        if long.chars().count() <= width {
+            long
+        } else {
+            self.legend_with(false)
         }
-        let kinds = [
-            AxisMarkKind::Split,
-            AxisMarkKind::Crossing,
-            AxisMarkKind::Found,
-        ];
-        for kind in kinds {
+    }
+
+    fn legend_with(&self, words: bool) -> String {
+        let mut parts = Vec::new();
+        let mut tell = |letters: &str, word: &str, numbers: &str| {
+            let word = if words {
+                format!("{word} ")
+            } else {
+                String::new()
+            };
+            parts.push(format!("{letters} {word}{numbers}"));
+        };
+        if let Some([start, end]) = self.bar.map(|bar| bar.map(short)) {
+            tell("[=]", self.what, &format!("{start}..{end}"));
+        }
+        for kind in AxisMarkKind::ALL {
             let marks = self.marks.iter().filter(|mark| mark.kind == kind);
             let numbers: Vec<String> = marks.map(|mark| short(mark.t)).collect();
             if !numbers.is_empty() {
-                let (letter, name) = (kind.letter(), kind.name());
-                parts.push(format!("{letter} {name} {}", numbers.join(", ")));
+                tell(&kind.letter().to_string(), kind.name(), &numbers.join(", "));
             }
         }
         parts.join("  ")
@@ -218,10 +232,9 @@ mod tests {
         use AxisMarkKind::{Found, Split};
         let told = axis([2.0, 6.0], &[(4.0, Split), (9.0, Found)]);
         assert_eq!(told.line(26), "0 ----[===|===]-----X-- 10");
-        assert_eq!(
-            told.legend(),
-            "[=] inside the node 2..6  | plane 4  X found 9"
-        );
+        let long = "[=] inside the node 2..6  | plane 4  X found 9";
+        assert_eq!(told.legend(46), long);
+        assert_eq!(told.legend(45), "[=] 2..6  | 4  X 9");
         assert_eq!(told.line(10), "", "no room");
     }
 

@@ -21,8 +21,10 @@ pub fn visit(view: View, node: u32, visit: &Visit) -> Explanation {
     } else {
         visit.choice.reason()
     };
-    let mut explanation = Explanation::new(format!("node {}", visit.node), sentence(reason))
-        .row("interval", format!("{} < t < {}", num(t0), num(t1)));
+    let mut explanation = Explanation::new(format!("node {}", visit.node), sentence(reason));
+    if !visit.is_missed() {
+        explanation = explanation.row("interval", format!("{} < t < {}", num(t0), num(t1)));
+    }
     if visit.is_leaf() {
         explanation = explanation.row("holds", counted(held as u64, "shape"));
     }

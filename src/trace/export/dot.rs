@@ -77,22 +77,10 @@ fn traversals(f: &mut fmt::Formatter, figures: &[Figure]) -> fmt::Result {
         if steps.is_empty() {
             continue;
         }
-        let count = steps.len();
-        let (first, folded) = if count > MAX_STEPS {
-            (MAX_STEPS - LAST_STEPS, count - MAX_STEPS)
-        } else {
-            (count, 0)
-        };
         // `\l` ends a line that stands at the left.
-        let mut label = format!("{}\\l", counted(count as u64, "step"));
-        for step in &steps[..first] {
-            write!(label, "{}\\l", escape(&brief(step)))?;
-        }
-        if folded > 0 {
-            write!(label, "... {folded} more ...\\l")?;
-        }
-        for step in &steps[first + folded..] {
-            write!(label, "{}\\l", escape(&brief(step)))?;
+        let mut label = String::new();
+        for line in note(steps) {
+            write!(label, "{}\\l", escape(&line))?;
         }
         writeln!(
             f,
@@ -101,6 +89,25 @@ fn traversals(f: &mut fmt::Formatter, figures: &[Figure]) -> fmt::Result {
         writeln!(f, "  n{i} -> s{i} [style=dashed, arrowhead=none];")?;
     }
     Ok(())
+}
+
+/// The lines of a note: how many steps there are, the first and the last ones, and how many are left out between them.
+fn note(steps: &[TraversalStep]) -> Vec<String> {
+    let count = steps.len();
+    let folded = count.saturating_sub(MAX_STEPS);
+    let (first, last) = if folded > 0 {
+        (
+            &steps[..MAX_STEPS - LAST_STEPS],
+            &steps[count - LAST_STEPS..],
+        )
+    } else {
+        (steps, &steps[count..])
+    };
+    let mut lines = vec![counted(count as u64, "step")];
+    lines.extend(first.iter().map(brief));
+    lines.extend((folded > 0).then(|| format!("... {folded} more ...")));
+    lines.extend(last.iter().map(brief));
+    lines
 }
 
 /// A step in a few words.

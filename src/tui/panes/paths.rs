@@ -119,11 +119,12 @@ impl Drawing<'_> {
     /// The cell of the current step's node, its split plane, and the shape that is tested there.
     fn traversal(&self, context: &mut Context) {
         let event = self.session.cursor().position();
-        if let Some(cell) = NodeCell::of_event(self.session, event) {
-            self.outline(context, &cell.outline(), CELL);
-        }
+        // A plane that is seen from the front covers the cell: the cell lies over it.
         for [a, b] in cell::split(self.session, event) {
             self.line(context, a, b, SPLIT);
+        }
+        if let Some(cell) = NodeCell::of_event(self.session, event) {
+            self.outline(context, &cell.outline(), CELL);
         }
         let Some(Event::Test { primitive, .. }) = self.session.tree().events.get(event) else {
             return;

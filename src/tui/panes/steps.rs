@@ -61,7 +61,7 @@ pub fn draw(session: &Session, area: Rect, buffer: &mut Buffer) {
         let room = area.width.saturating_sub(1);
         let line = Line::raw(axis.line(usize::from(room)));
         write(buffer, area.x + 1, bottom, &line, room);
-        let legend = Line::raw(axis.legend()).style(theme::dim());
+        let legend = Line::raw(axis.legend(usize::from(room))).style(theme::dim());
         write(buffer, area.x + 1, bottom + 1, &legend, room);
     }
 }
@@ -75,7 +75,7 @@ fn spans(step: StepText, hidden: usize) -> Vec<Span<'static>> {
         StepKind::NoHit => (Style::new(), theme::dim()),
     };
     let mut guides: String = step.guides.chars().skip(hidden).collect();
-    if hidden > 0 {
+    if hidden > 0 && !step.guides.is_empty() {
         guides.insert(0, '‹');
     }
     vec![
