@@ -7,6 +7,8 @@
 //! is within the tolerance of the cell that is visited for t, and a hit at t is within the tolerance of its shape. Shapes are
 //! put into all cells that their boxes reach when they are grown by several times that.
 
+mod cells;
+
 use super::bounded::{Primitives, bounds_of};
 use super::collect::Collect;
 use super::inspect::{AccelStats, NodeView};
@@ -198,30 +200,6 @@ impl Grid {
     pub fn node(&self, id: u32) -> Option<NodeView<'_>> {
         let cells = self.starts.len().saturating_sub(1);
         ((id as usize) < cells).then(|| NodeView::without_plane(self.primitives(id as usize)))
-    }
-
-    /// The box around all cells; `None` if there are none.
-    pub fn bounds(&self) -> Option<Aabb> {
-        (!self.starts.is_empty()).then_some(self.bounds)
-    }
-
-    /// The box of a cell; `None` if there is none of that number.
-    pub fn cell(&self, id: u32) -> Option<Aabb> {
-        let (id, [nx, ny, _]) = (id as usize, self.size);
-        if id + 1 >= self.starts.len() {
-            return None;
-        }
-        let place = [id % nx, id / nx % ny, id / (nx * ny)].map(|k| k as f64);
-        let min = self.bounds.min + self.edge * DVec3::from_array(place);
-        Some(Aabb {
-            min,
-            max: min + self.edge,
-        })
-    }
-
-    /// Shapes without a sharp bound, in order.
-    pub fn unbounded(&self) -> &[u32] {
-        &self.unbounded
     }
 
     /// How large the grid is.
