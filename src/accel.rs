@@ -22,6 +22,7 @@ mod list;
 mod octree;
 mod packets;
 mod query;
+mod space;
 mod tolerance;
 mod volume;
 
@@ -29,6 +30,7 @@ pub use all_hits::exit_of_solid;
 pub use fast::PACKET_SIZE;
 pub use inspect::{AccelStats, NodeView, Progress};
 pub use kind::{AccelKind, clearest, fastest};
+pub use volume::Volume;
 
 use crate::geometry::{Hit, Shape};
 use crate::math::{DVec3, Interval, Ray};

@@ -3,7 +3,9 @@
 //! Nothing here knows a terminal, a key or a layout; the faces draw what is computed here.
 
 pub mod breaks;
+pub mod cell;
 pub mod convergence;
+pub mod crossings;
 pub mod cursor;
 pub mod drawing;
 pub mod effects;
@@ -23,7 +25,9 @@ pub mod running;
 pub mod samples;
 pub mod search;
 pub mod session;
+pub mod step_tree;
 pub mod steps;
+pub mod t_axis;
 #[cfg(test)]
 mod tests;
 pub mod window;

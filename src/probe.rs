@@ -250,6 +250,21 @@ impl Visit {
         Self::step(node, inside, nearest, Choice::Children)
     }
 
+    /// True if the node's primitives are tested, and those of no node below it.
+    pub fn is_leaf(&self) -> bool {
+        matches!(self.choice, Choice::Leaf | Choice::Cell)
+    }
+
+    /// True if no part of the ray is inside the node.
+    pub fn is_missed(&self) -> bool {
+        matches!(self.choice, Choice::SkippedOutside | Choice::SkippedMissed)
+    }
+
+    /// True if the node is left out whole.
+    pub fn is_skipped(&self) -> bool {
+        self.is_missed() || self.choice == Choice::SkippedCloserHit
+    }
+
     fn step(node: u32, inside: Interval, [near, far]: [u32; 2], choice: Choice) -> Event {
         Event::Visit(Self {
             node,

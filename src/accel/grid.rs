@@ -7,6 +7,8 @@
 //! is within the tolerance of the cell that is visited for t, and a hit at t is within the tolerance of its shape. Shapes are
 //! put into all cells that their boxes reach when they are grown by several times that.
 
+mod cells;
+
 use super::bounded::{Primitives, bounds_of};
 use super::collect::Collect;
 use super::inspect::{AccelStats, NodeView};

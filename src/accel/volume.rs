@@ -6,11 +6,28 @@ use crate::math::{DVec3, Interval, Ray};
 /// What bounds a node.
 #[derive(Clone, Copy, Debug)]
 pub enum Volume {
+    /// A box along the axes.
     Box(Aabb),
-    Sphere { center: DVec3, radius: f64 },
+    /// A ball.
+    Sphere {
+        /// Its middle.
+        center: DVec3,
+        /// Its radius.
+        radius: f64,
+    },
 }
 
 impl Volume {
+    /// The box around it.
+    pub fn bounds(&self) -> Aabb {
+        match self {
+            Self::Box(bounds) => *bounds,
+            Self::Sphere { center, radius } => {
+                Aabb::around([*center]).padded(DVec3::splat(*radius))
+            }
+        }
+    }
+
     /// The part of a ray inside the volume grown by `tolerance`; `None` if it misses that.
     #[inline]
     pub fn clip(&self, ray: &Ray, interval: Interval, tolerance: f64) -> Option<Interval> {

@@ -72,15 +72,12 @@ impl Format {
     /// A warning if it has no room for the steps through the accelerator.
     fn without_traversal(self) -> Option<&'static str> {
         match self {
-            Self::Json | Self::Text | Self::Html => None,
-            Self::Dot => {
-                Some("--traversal adds nothing to the format dot; json, text and html have it")
-            }
+            Self::Json | Self::Text | Self::Html | Self::Dot => None,
             Self::Svg => {
-                Some("--traversal adds nothing to the format svg; json, text and html have it")
+                Some("--traversal adds nothing to the format svg; json, text, html and dot have it")
             }
             Self::Obj => {
-                Some("--traversal adds nothing to the format obj; json, text and html have it")
+                Some("--traversal adds nothing to the format obj; json, text, html and dot have it")
             }
         }
     }

@@ -66,6 +66,17 @@ fn of_object(shapes: &[Shape]) -> Vec<ObjectOutline> {
     outlines
 }
 
+/// The outline of a single shape, a triangle included.
+pub fn of_one(shape: &Shape) -> Option<ObjectOutline> {
+    match shape.plain() {
+        Shape::Triangle(triangle) => {
+            let [a, b, c] = triangle.corners;
+            Some(ObjectOutline::Edges(vec![[a, b], [b, c], [c, a]]))
+        }
+        _ => of_shape(shape),
+    }
+}
+
 fn of_shape(shape: &Shape) -> Option<ObjectOutline> {
     match shape {
         Shape::Triangle(_) => None,

@@ -8,6 +8,7 @@ use super::cursor::{Cursor, StepCommand, traversal_end};
 use super::extent;
 use super::landmarks::Landmarks;
 use super::rows::TreeRows;
+use super::step_tree::StepTree;
 use crate::geometry::Aabb;
 use crate::scene::Settings;
 use crate::trace::address::{Address, AddressPart, node_at};
@@ -26,6 +27,10 @@ pub struct Session {
     pub rows: TreeRows,
     /// A box around all that the drawing of the paths shows.
     pub extent: Aabb,
+    /// Nodes of the accelerator.
+    pub nodes: usize,
+    /// The current ray's traversal steps as a tree.
+    pub step_tree: StepTree,
     cursor: Cursor,
     steps: Range<usize>,
     landmarks: OnceCell<Landmarks>,
@@ -41,12 +46,15 @@ impl Session {
     /// The session of a recording, at its first event.
     pub fn of(world: Arc<World>, settings: Settings, trace: PixelTrace) -> Self {
         let rows = TreeRows::new(&trace.tree);
+        let nodes = world.accel.stats().nodes;
         let mut session = Self {
             world,
             settings,
             trace,
             rows,
             extent: Aabb::EMPTY,
+            nodes,
+            step_tree: StepTree::default(),
             cursor: Cursor::start(),
             steps: 0..0,
             landmarks: OnceCell::new(),
@@ -95,6 +103,13 @@ impl Session {
         self.steps.clone()
     }
 
+    /// The number of an event among the current ray's traversal steps, if it is one of them.
+    pub fn step_number(&self, event: usize) -> Option<usize> {
+        self.steps
+            .contains(&event)
+            .then(|| event - self.steps.start)
+    }
+
     /// Follows a command; an error says why the cursor stays.
     pub fn step(&mut self, command: StepCommand) -> Result<(), String> {
         if let Some(cursor) = self.cursor.after(command, self.tree()) {
@@ -134,6 +149,8 @@ impl Session {
             .map(|n| self.tree().node(n).first_event as usize + 1);
         if self.steps.start != first.unwrap_or(0) {
             self.steps = first.map_or(0..0, |first| first..traversal_end(self.tree(), first));
+            let steps = self.tree().events.get(self.steps()).unwrap_or_default();
+            self.step_tree = StepTree::new(&self.world.accel, steps);
         }
     }
 

@@ -1,8 +1,8 @@
 //! Steps of a ray through the acceleration structure, in words: nodes visited and skipped, shapes tested.
 
 use super::session::Session;
-use crate::probe::{Choice, Event, NONE, Verdict, Visit};
-use crate::trace::format::num;
+use crate::probe::{Choice, Event, NONE, RayKind, Verdict, Visit};
+use crate::trace::format::{counted, num};
 
 /// What a step came to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,48 +22,72 @@ pub enum StepKind {
 pub struct StepText {
     /// What it came to.
     pub kind: StepKind,
+    /// The lines of the tree that lead to it.
+    pub guides: String,
     /// The node or the shape.
     pub name: String,
     /// What was decided.
     pub result: String,
-    /// Of a node: its split plane, and the part of the ray inside.
+    /// Of a node its split plane and the part of the ray inside; of a shape outside of the tree why it is there.
     pub interval: String,
 }
 
 impl StepText {
-    /// An event of the log; `None` if it is no traversal step.
+    /// An event of the log; `None` if it is no traversal step of the current ray.
     pub fn new(session: &Session, event: usize) -> Option<Self> {
-        match session.tree().events.get(event)? {
-            Event::Visit(visit) => Some(visited(session, visit)),
+        let step = session.step_number(event)?;
+        let told = match session.tree().events.get(event)? {
+            Event::Visit(visit) => visited(session, visit),
             Event::Test {
                 primitive,
                 verdict,
                 t,
-            } => Some(tested(session, *primitive, *verdict, *t)),
-            _ => None,
-        }
+            } => tested(session, step, *primitive, (*verdict, *t)),
+            _ => return None,
+        };
+        Some(Self {
+            guides: session.step_tree.guides(step),
+            ..told
+        })
     }
 }
 
-fn is_skipped(visit: &Visit) -> bool {
-    matches!(
-        visit.choice,
-        Choice::SkippedCloserHit | Choice::SkippedOutside | Choice::SkippedMissed
-    )
-}
-
-/// How many nodes the current ray visits, and how many shapes it is tested against.
-pub fn visited_and_tested(session: &Session) -> (usize, usize) {
-    let events = session
-        .tree()
-        .events
-        .get(session.steps())
-        .unwrap_or_default();
-    let visits = events
-        .iter()
-        .filter(|e| matches!(e, Event::Visit(v) if !is_skipped(v)));
-    let tests = events.iter().filter(|e| matches!(e, Event::Test { .. }));
-    (visits.count(), tests.count())
+/// Where the cursor is among the steps, and how much of the structure they visit and test, in at most so many letters.
+pub fn totals(session: &Session, width: usize) -> String {
+    let kind = session.settings.accel.name();
+    let steps = session.steps();
+    if steps.is_empty() {
+        return kind.to_owned();
+    }
+    let (nodes, tree) = (session.nodes, &session.step_tree);
+    let (visited, tested) = (tree.visited, tree.tested);
+    let shapes = session.world.scene.shapes.len();
+    let step = session.step_number(session.cursor().position());
+    let of = steps.len();
+    let at = |long: bool| match step {
+        Some(step) if long => format!(" step {} of {of}", step + 1),
+        Some(step) => format!(" {}/{of}", step + 1),
+        None => String::new(),
+    };
+    // A list has no nodes.
+    let work = |of_nodes: String, of_shapes: String| {
+        let nodes = (nodes > 0).then(|| format!("{visited}{of_nodes} nodes, "));
+        format!("{}{tested}{of_shapes} shapes", nodes.unwrap_or_default())
+    };
+    let of_all = |of: &str| work(format!("{of}{nodes}"), format!("{of}{shapes}"));
+    let ways = [
+        format!("{kind}{}: {}", at(true), of_all(" of ")),
+        format!("{kind}{}: {}", at(false), of_all(" of ")),
+        format!("{kind}{}: {}", at(false), of_all("/")),
+        format!(
+            "{kind}{}: {}",
+            at(false),
+            work(String::new(), String::new())
+        ),
+        format!("{kind}{}", at(false)),
+    ];
+    let fits = |way: &&String| way.chars().count() <= width;
+    ways.iter().find(fits).unwrap_or(&ways[4]).clone()
 }
 
 /// A node: what is done and why not more, then where it is split and which part of the ray is inside.
@@ -78,31 +102,40 @@ fn visited(session: &Session, visit: &Visit) -> StepText {
             format!("{name} at t {}, ", short(visit.t_split))
         }
     });
-    let skipped = is_skipped(visit);
     StepText {
-        kind: if skipped {
+        kind: if visit.is_skipped() {
             StepKind::Skipped
         } else {
             StepKind::Visited
         },
+        guides: String::new(),
         name: format!("node {}", visit.node),
-        result: choice(visit),
-        interval: format!("  {plane}inside t {t0}..{t1}"),
+        result: choice(session, visit),
+        interval: if visit.is_missed() {
+            String::new()
+        } else {
+            format!("  {plane}inside t {t0}..{t1}")
+        },
     }
 }
 
-fn choice(visit: &Visit) -> String {
-    let child = |id: u32| {
-        if id == NONE {
-            "empty".to_owned()
-        } else {
-            id.to_string()
+fn choice(session: &Session, visit: &Visit) -> String {
+    let node = session.world.accel.node(visit.node);
+    let shapes = || match node.map_or(0, |node| node.primitives.len()) {
+        0 => "empty, nothing to test".to_owned(),
+        count => counted(count as u64, "shape"),
+    };
+    let child = |id: u32| match session.world.accel.node(id) {
+        None => "empty".to_owned(),
+        Some(node) if node.children.is_none() && node.primitives.is_empty() => {
+            format!("{id} (empty)")
         }
+        Some(_) => id.to_string(),
     };
     let (near, far) = (child(visit.near), child(visit.far));
     match visit.choice {
-        Choice::Leaf => " leaf".to_owned(),
-        Choice::Cell => " cell".to_owned(),
+        Choice::Leaf => format!(" leaf: {}", shapes()),
+        Choice::Cell => format!(" cell: {}", shapes()),
         Choice::Both => format!(" near {near}, far {far}"),
         Choice::BothInDoubt => format!(" near {near}, far {far} (in doubt)"),
         Choice::NearSplitBeyond => format!(" near {near}, not {far}: plane beyond"),
@@ -110,7 +143,9 @@ fn choice(visit: &Visit) -> String {
         Choice::FarSplitBefore => format!(" far {far}, not {near}: plane before"),
         Choice::SkippedCloserHit => " skipped: a closer hit is known".to_owned(),
         Choice::SkippedOutside => " skipped: outside the box".to_owned(),
-        Choice::Children => " the children it meets, nearest first".to_owned(),
+        Choice::Children if visit.near == NONE => " misses all children".to_owned(),
+        Choice::Children if visit.far == NONE => format!(" on to {near}"),
+        Choice::Children => format!(" on to {near}, then {far}, nearest first"),
         Choice::SkippedMissed => " skipped: misses its box".to_owned(),
     }
 }
@@ -125,30 +160,66 @@ fn plane_name(n: [f64; 3], d: f64) -> String {
     format!("({x}, {y}, {z}).p = {}", short(d))
 }
 
-/// A shape: hit or not, and where.
-fn tested(session: &Session, primitive: u32, verdict: Verdict, t: f64) -> StepText {
+/// A shape: where it is kept, hit or not, and where.
+fn tested(
+    session: &Session,
+    step: usize,
+    primitive: u32,
+    (verdict, t): (Verdict, f64),
+) -> StepText {
     let scene = &session.world.scene;
     let name = &scene.object_of(primitive).name;
     let number = scene.local_index(primitive);
-    let t = short(t);
+    let above = session.step_tree.parent(step);
+    let above = above.and_then(|step| session.tree().events.get(session.steps().start + step));
+    let is_bounded = session
+        .world
+        .accel
+        .unbounded()
+        .binary_search(&primitive)
+        .is_err();
+    let (place, why) = match above {
+        Some(Event::Visit(visit)) if !visit.is_leaf() => ("on the plane: ", ""),
+        Some(_) => ("", ""),
+        None if !is_bounded => ("before the tree: ", "  it has no bounds"),
+        None if session.nodes > 0 => ("without the tree: ", "  the ray starts too far away"),
+        None => ("", ""),
+    };
+    let at = short(t);
     let (kind, result) = match verdict {
-        Verdict::Hit => (StepKind::Hit, format!("hit at t {t}")),
+        Verdict::Hit => {
+            let beyond = beyond_leaf(session, above, t);
+            (StepKind::Hit, format!("hit at t {at}{beyond}"))
+        }
         Verdict::Miss => (StepKind::NoHit, "miss".to_owned()),
-        Verdict::TooFar => (StepKind::NoHit, format!("too far, t {t}")),
-        Verdict::Behind => (StepKind::NoHit, format!("behind, t {t}")),
+        Verdict::TooFar => (StepKind::NoHit, format!("too far, t {at}")),
+        Verdict::Behind => (StepKind::NoHit, format!("behind, t {at}")),
     };
     StepText {
         kind,
-        name: format!("  test {name} {number}: "),
+        guides: String::new(),
+        name: format!("{place}test {name} {number}: "),
         result,
-        interval: String::new(),
+        interval: why.to_owned(),
     }
 }
 
+/// What is said of a hit that lies behind its leaf: closer ones may lie in nodes that come before it.
+fn beyond_leaf(session: &Session, above: Option<&Event>, t: f64) -> &'static str {
+    let Some(Event::Visit(visit)) = above else {
+        return "";
+    };
+    let kind = session.node().map(|id| session.tree().node(id).ray.kind);
+    if !visit.is_leaf() || t <= visit.interval[1] || kind == Some(RayKind::Light) {
+        return "";
+    }
+    ", beyond this leaf: kept in mind"
+}
+
 /// Three decimals without trailing zeros, or a power of ten.
-fn short(x: f64) -> String {
+pub fn short(x: f64) -> String {
     if x.is_infinite() {
-        return "∞".to_owned();
+        return if x < 0.0 { "-∞" } else { "∞" }.to_owned();
     }
     if x == 0.0 || (1e-3..1e5).contains(&x.abs()) {
         let text = format!("{x:.3}");

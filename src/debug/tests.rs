@@ -1,5 +1,7 @@
 //! The debugger without a screen, on recorded pixels.
 
+mod accelerators;
+
 use std::sync::{Arc, Mutex};
 
 use super::progressive::DrawnPixel;

@@ -88,11 +88,11 @@ pub fn explain(view: View, index: usize) -> Explanation {
     let node = tree.node_of_event(index).unwrap_or(NONE);
     Explanation {
         source: source::source(view, event),
-        ..of_event(view, node, event)
+        ..of_event(view, node, index, event)
     }
 }
 
-fn of_event(view: View, node: u32, event: &Event) -> Explanation {
+fn of_event(view: View, node: u32, index: usize, event: &Event) -> Explanation {
     match *event {
         Event::Sample {
             index,
@@ -105,7 +105,10 @@ fn of_event(view: View, node: u32, event: &Event) -> Explanation {
             primitive,
             verdict,
             t,
-        } => traversal::test(view, node, primitive, verdict, t),
+        } => {
+            let leaf = traversal::leaf_at(view, index);
+            traversal::test(view, (node, leaf), (primitive, verdict, t))
+        }
         Event::LightSamples { light, .. } => light_samples::light_samples(view, node, light),
         Event::Hit(_) => surface::hit(view, node),
         Event::Miss => end::miss(view),

@@ -15,6 +15,7 @@ mod search;
 mod set;
 mod show;
 mod sizes;
+mod steps;
 mod stories;
 mod support;
 mod walk;

@@ -126,7 +126,36 @@ fn the_steps_of_a_ray_are_heard_where_there_is_room() {
         let (_, without, _) = trace(format, &[]);
         assert!(without.len() < text.len() && !without.contains("the closest hit so far"));
     }
-    for format in ["dot", "svg"] {
+    // The diagram folds what is long: the steps of each ray are counted, and its first and last ones told.
+    let (code, diagram, err) = trace("dot", &["--traversal"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let (_, without, _) = trace("dot", &[]);
+    assert!(!without.contains("shape=note"));
+    let mut steps = 0;
+    for note in diagram.lines().filter(|line| line.contains("shape=note")) {
+        let lines: Vec<&str> = note.split("\\l").collect();
+        assert!(lines.len() <= 15, "{note}");
+        let count = lines[0]
+            .split('"')
+            .nth(1)
+            .and_then(|text| text.split(' ').next());
+        steps += count.map_or(0, |count| count.parse::<usize>().expect(note));
+        let told = lines
+            .iter()
+            .filter(|l| l.starts_with("node ") || l.starts_with("test "));
+        let folded = lines
+            .iter()
+            .find_map(|l| l.strip_prefix("... ")?.strip_suffix(" more ..."));
+        let folded = folded.map_or(0, |count| count.parse::<usize>().expect(note));
+        assert!(folded > 0 || told.clone().count() <= 12);
+        assert_eq!(
+            Some((told.count() + folded).to_string().as_str()),
+            count,
+            "{note}"
+        );
+    }
+    assert_eq!(steps, tests + visits);
+    for format in ["svg", "obj"] {
         let (code, text, err) = trace(format, &["--traversal"]);
         assert_eq!((code, err.lines().count()), (0, 1), "{err}");
         assert!(err.contains("warning: ") && err.contains(format), "{err}");

@@ -16,8 +16,9 @@ mod single;
 
 use super::local_ray::UnitBox;
 use super::simd::Isa;
+use crate::accel::bounded::bounds_of;
 use crate::accel::inspect::{AccelStats, NodeView, Progress};
-use crate::geometry::Shape;
+use crate::geometry::{Aabb, Shape};
 use crate::probe::NONE;
 
 /// Boxes in a node.
@@ -104,6 +105,45 @@ impl Bvh8 {
                 + size_of_val(&self.leaves[..])
                 + size_of_val(&self.unbounded[..]),
         }
+    }
+
+    /// The box around all that is in the tree; `None` if it is empty.
+    pub fn bounds(&self) -> Option<Aabb> {
+        self.nodes.first().map(|root| self.box_of(root))
+    }
+
+    /// The box around what is in a node or a leaf; `None` if there is none of that number.
+    pub fn node_bounds(&self, shapes: &[Shape], id: u32) -> Option<Aabb> {
+        if let Some(node) = self.nodes.get(id as usize) {
+            return Some(self.box_of(node));
+        }
+        let leaf = self.leaves.get(id as usize - self.nodes.len())?;
+        let bounds = leaf.primitives().iter().map(|id| bounds_of(shapes, *id));
+        Some(bounds.fold(Aabb::EMPTY, Aabb::union))
+    }
+
+    /// The children of a node, as readers count; none of a leaf.
+    pub fn children(&self, id: u32) -> Vec<u32> {
+        let node = self.nodes.get(id as usize);
+        let children = node.map_or(&[][..], |node| &node.children);
+        let some = children.iter().filter(|child| **child != NONE);
+        some.map(|child| self.number(*child)).collect()
+    }
+
+    /// Shapes without a sharp bound, in order.
+    pub fn unbounded(&self) -> &[u32] {
+        &self.unbounded
+    }
+
+    /// The box around a node's children, in world space.
+    fn box_of(&self, node: &Node) -> Aabb {
+        let corners = (0..WIDTH)
+            .filter(|i| node.children[*i] != NONE)
+            .flat_map(|i| {
+                let side = |at: usize| [0, 2, 4].map(|axis| node.planes[axis + at][i]);
+                [side(0), side(1)].map(|p| self.unit_box.to_world(p))
+            });
+        Aabb::around(corners)
     }
 
     /// A child's number as readers count.

@@ -18,7 +18,7 @@ use super::local_ray::UnitBox;
 use super::packet::TriangleF32;
 use super::simd::Isa;
 use crate::accel::inspect::{AccelStats, NodeView};
-use crate::geometry::Shape;
+use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 
 /// No tree is deeper, so a traversal's stack has a fixed size.
@@ -217,6 +217,17 @@ impl CompactTree {
             children: Some([first + 1, first]),
             primitives: &[],
         })
+    }
+
+    /// The box around all that is in the tree, in world space; `None` if the tree is empty.
+    pub fn bounds(&self) -> Option<Aabb> {
+        let corners = self.bounds.map(|p| self.unit_box.to_world(p));
+        (!self.tree.nodes.is_empty()).then(|| Aabb::around(corners))
+    }
+
+    /// Shapes without a sharp bound, in order.
+    pub fn unbounded(&self) -> &[u32] {
+        &self.unbounded
     }
 
     /// How large the tree is.

@@ -88,6 +88,11 @@ impl UnitBox {
         (p - self.center) * self.scale
     }
 
+    /// A point of this space in the world.
+    pub fn to_world(self, p: [f32; 3]) -> DVec3 {
+        self.center + DVec3::from(p.map(f64::from)) / self.scale
+    }
+
     /// For the plane n.p = d of this space, the d of the same plane in world space.
     pub fn plane_to_world(&self, n: DVec3, d: f64) -> f64 {
         n.dot(self.center) + d / self.scale

@@ -3,19 +3,31 @@
 use super::{Explanation, shapes};
 use crate::geometry::{Arithmetic, Naive, Shape};
 use crate::math::{DVec3, Ray};
-use crate::probe::{NONE, Verdict, Visit};
+use crate::probe::{Event, RayKind, RayRecord, Verdict, Visit};
 use crate::trace::View;
-use crate::trace::format::{num, vec3};
+use crate::trace::format::{counted, num, vec3};
+
+/// Tests that are looked through for the leaf that they belong to.
+const MAX_LEAF: usize = 10_000;
 
 /// A node is visited or skipped.
 pub fn visit(view: View, node: u32, visit: &Visit) -> Explanation {
     let sent = &view.trace.tree.node(node).ray;
     let [t0, t1] = visit.interval;
-    let explanation = Explanation::new(
-        format!("node {}", visit.node),
-        sentence(visit.choice.reason()),
-    )
-    .row("interval", format!("{} < t < {}", num(t0), num(t1)));
+    let held = view.world.accel.node(visit.node);
+    let held = held.map_or(0, |node| node.primitives.len());
+    let reason = if visit.is_leaf() && held == 0 {
+        "empty: there is nothing to test"
+    } else {
+        visit.choice.reason()
+    };
+    let mut explanation = Explanation::new(format!("node {}", visit.node), sentence(reason));
+    if !visit.is_missed() {
+        explanation = explanation.row("interval", format!("{} < t < {}", num(t0), num(t1)));
+    }
+    if visit.is_leaf() {
+        explanation = explanation.row("holds", counted(held as u64, "shape"));
+    }
     let Some((n, d)) = view.world.accel.plane(visit.node) else {
         return explanation;
     };
@@ -32,8 +44,8 @@ pub fn visit(view: View, node: u32, visit: &Visit) -> Explanation {
                 num((d - n_o) / n_d)
             ),
         )
-        .row("near", child(visit.near))
-        .row("far", child(visit.far))
+        .row("near", child(view, visit.near))
+        .row("far", child(view, visit.far))
 }
 
 /// A plane as an equation: `x = 2` along an axis, else with its normal.
@@ -46,16 +58,22 @@ fn plane(n: DVec3, d: f64) -> String {
     format!("{} . p = {}", vec3(n), num(d))
 }
 
-fn child(node: u32) -> String {
-    if node == NONE {
-        "empty".to_owned()
-    } else {
-        format!("node {node}")
+fn child(view: View, id: u32) -> String {
+    match view.world.accel.node(id) {
+        None => "empty".to_owned(),
+        Some(node) if node.children.is_none() && node.primitives.is_empty() => {
+            format!("node {id}, an empty leaf")
+        }
+        Some(_) => format!("node {id}"),
     }
 }
 
-/// A primitive is tested.
-pub fn test(view: View, node: u32, primitive: u32, verdict: Verdict, t: f64) -> Explanation {
+/// A primitive is tested, by a ray in a leaf of the accelerator, or outside of it.
+pub fn test(
+    view: View,
+    (node, leaf): (u32, Option<&Visit>),
+    (primitive, verdict, t): (u32, Verdict, f64),
+) -> Explanation {
     let scene = &view.world.scene;
     let shape = &scene.shapes[primitive as usize];
     let sent = &view.trace.tree.node(node).ray;
@@ -66,7 +84,7 @@ pub fn test(view: View, node: u32, primitive: u32, verdict: Verdict, t: f64) -> 
             scene.local_index(primitive),
             verdict.name()
         ),
-        sentence(verdict.reason()),
+        sentence(verdict.reason()) + beyond(sent, leaf, verdict, t),
     );
     explanation = shapes::add(explanation, shape, &Ray::new(sent.origin, sent.direction));
     if let Shape::Naive(naive) = shape {
@@ -76,6 +94,34 @@ pub fn test(view: View, node: u32, primitive: u32, verdict: Verdict, t: f64) -> 
         explanation = explanation.row("t", num(t));
     }
     explanation
+}
+
+/// What a hit behind its leaf is worth.
+fn beyond(sent: &RayRecord, leaf: Option<&Visit>, verdict: Verdict, t: f64) -> &'static str {
+    if verdict != Verdict::Hit || leaf.is_none_or(|leaf| t <= leaf.interval[1]) {
+        ""
+    } else if sent.kind == RayKind::Light {
+        " It lies beyond this leaf, but any hit before the light ends the search of a shadow ray."
+    } else {
+        " It lies beyond this leaf: it is kept in mind, and the search goes on, since a shape in a node before it may be closer."
+    }
+}
+
+/// The leaf whose primitives are tested at an event; `None` outside of leaves, and for shapes on the plane of a node.
+pub fn leaf_at(view: View<'_>, event: usize) -> Option<&Visit> {
+    let before = view.trace.tree.events.get(..event)?;
+    let mut tested = 0;
+    for event in before.iter().rev().take(MAX_LEAF) {
+        match event {
+            Event::Test { .. } => tested += 1,
+            Event::Visit(visit) => {
+                let node = view.world.accel.node(visit.node)?;
+                return (visit.is_leaf() && tested < node.primitives.len()).then_some(visit);
+            }
+            _ => return None,
+        }
+    }
+    None
 }
 
 /// The algorithm and the precision of a test that is not raytree's own.

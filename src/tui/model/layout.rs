@@ -152,7 +152,7 @@ impl Panes {
         [self.picture, self.path] = halves(left, 46);
         let below;
         [self.tree, below] = halves(right, 42);
-        [self.details, self.steps] = columns(below, [Constraint::Fill(11), Constraint::Fill(9)]);
+        [self.details, self.steps] = columns(below, [Constraint::Fill(1), Constraint::Fill(1)]);
     }
 
     fn area_mut(&mut self, pane: Pane) -> &mut Rect {

@@ -285,7 +285,12 @@ pub fn first_row(session: &Session, height: u16) -> usize {
 pub fn first_step(session: &Session, height: u16) -> usize {
     let steps = session.steps();
     let here = session.cursor().position().saturating_sub(steps.start);
-    steps.start + first_shown(here, steps.len(), height)
+    steps.start + first_shown(here, steps.len(), step_rows(height))
+}
+
+/// How many steps a pane of `height` rows shows: where there is room, two rows are for the t axis.
+pub fn step_rows(height: u16) -> u16 {
+    if height < 8 { height } else { height - 2 }
 }
 
 /// The first of `count` rows that is shown in a pane of `height` rows, such that row `current` stands in the middle.

@@ -11,15 +11,20 @@ use ratatui::widgets::canvas::{Canvas, Context, Line as Stroke, Points};
 
 use super::text::write;
 use super::theme;
+use crate::debug::cell::{self, NodeCell};
 use crate::debug::extent::{MAX_DRAWN, with_ray};
-use crate::debug::outline::turns;
+use crate::debug::outline::{of_one, turns};
 use crate::debug::projection::Viewport;
 use crate::debug::{Axis, ObjectOutline, Session};
 use crate::math::DVec3;
-use crate::probe::RayKind;
+use crate::probe::{Event, RayKind};
 use crate::trace::{Node, Outcome};
 
 const OUTLINE: Color = Color::Rgb(120, 120, 120);
+/// The cell of the node that is visited, its split plane, and the shape that is tested.
+const CELL: Color = Color::Rgb(40, 165, 85);
+const SPLIT: Color = Color::Rgb(30, 160, 170);
+const TESTED: Color = Color::Rgb(190, 80, 200);
 
 /// Its title: from where, and how space lies.
 pub fn title(axis: Axis) -> Line<'static> {
@@ -66,14 +71,15 @@ pub fn draw(
         .marker(Marker::Braille)
         .paint(|context| drawing.paint(context))
         .render(area, buffer);
-    legend(area, buffer);
+    legend(session, area, buffer);
 }
 
 impl Drawing<'_> {
     fn paint(&self, context: &mut Context) {
         for outline in self.outlines {
-            self.outline(context, outline);
+            self.outline(context, outline, OUTLINE);
         }
+        self.traversal(context);
         let tree = self.session.tree();
         let current = self.session.node();
         let shown = tree.nodes.iter().take(MAX_DRAWN);
@@ -110,6 +116,25 @@ impl Drawing<'_> {
         }
     }
 
+    /// The cell of the current step's node, its split plane, and the shape that is tested there.
+    fn traversal(&self, context: &mut Context) {
+        let event = self.session.cursor().position();
+        // A plane that is seen from the front covers the cell: the cell lies over it.
+        for [a, b] in cell::split(self.session, event) {
+            self.line(context, a, b, SPLIT);
+        }
+        if let Some(cell) = NodeCell::of_event(self.session, event) {
+            self.outline(context, &cell.outline(), CELL);
+        }
+        let Some(Event::Test { primitive, .. }) = self.session.tree().events.get(event) else {
+            return;
+        };
+        let shape = self.session.world.scene.shapes.get(*primitive as usize);
+        if let Some(outline) = shape.and_then(of_one) {
+            self.outline(context, &outline, TESTED);
+        }
+    }
+
     fn line(&self, context: &mut Context, a: DVec3, b: DVec3, color: Color) {
         stroke(context, self.axis.project(a), self.axis.project(b), color);
     }
@@ -142,15 +167,15 @@ impl Drawing<'_> {
         }
     }
 
-    fn outline(&self, context: &mut Context, outline: &ObjectOutline) {
+    fn outline(&self, context: &mut Context, outline: &ObjectOutline, color: Color) {
         match outline {
             ObjectOutline::Edges(edges) => {
                 for [a, b] in edges {
-                    self.line(context, *a, *b, OUTLINE);
+                    self.line(context, *a, *b, color);
                 }
             }
             ObjectOutline::Points(points) => {
-                dots(context, points.iter().map(|p| self.axis.project(*p)));
+                dots(context, points.iter().map(|p| self.axis.project(*p)), color);
             }
             ObjectOutline::Sphere(center, radius) => {
                 let [x, y] = self.axis.project(*center);
@@ -159,19 +184,19 @@ impl Drawing<'_> {
                     .collect();
                 let next = points.iter().cycle().skip(1);
                 for (a, b) in points.iter().zip(next) {
-                    stroke(context, *a, *b, OUTLINE);
+                    stroke(context, *a, *b, color);
                 }
             }
-            ObjectOutline::Plane(n, d) => self.plane(context, *n, *d),
+            ObjectOutline::Plane(n, d) => self.plane(context, *n, *d, color),
         }
     }
 
     /// A plane that is seen from its edge is a line.
-    fn plane(&self, context: &mut Context, n: DVec3, d: f64) {
+    fn plane(&self, context: &mut Context, n: DVec3, d: f64, color: Color) {
         let [a, b] = self.axis.project(n);
         if a.hypot(b) >= 1.0 - 1e-9 {
             let [start, end] = self.viewport.line([a, b], d);
-            stroke(context, start, end, OUTLINE);
+            stroke(context, start, end, color);
         }
     }
 }
@@ -183,19 +208,19 @@ fn stroke(context: &mut Context, a: [f64; 2], b: [f64; 2], color: Color) {
     }
 }
 
-fn dots(context: &mut Context, points: impl Iterator<Item = [f64; 2]>) {
+fn dots(context: &mut Context, points: impl Iterator<Item = [f64; 2]>, color: Color) {
     let coords: Vec<_> = points
         .filter(|p| p.iter().all(|v| v.is_finite()))
         .map(|[x, y]| (x, y))
         .collect();
     context.draw(&Points {
         coords: &coords,
-        color: OUTLINE,
+        color,
     });
 }
 
 /// What the marks mean, in the frame below.
-fn legend(area: Rect, buffer: &mut Buffer) {
+fn legend(session: &Session, area: Rect, buffer: &mut Buffer) {
     let mut line = Line::default();
     for kind in RayKind::ALL {
         line.push_span(Span::styled(
@@ -204,6 +229,22 @@ fn legend(area: Rect, buffer: &mut Buffer) {
         ));
     }
     line.push_span(" E eye * light ");
+    let here = session.cursor().position();
+    let event = session.tree().events.get(here);
+    let is_split = match event {
+        Some(Event::Visit(visit)) if !visit.is_skipped() => {
+            session.world.accel.plane(visit.node).is_some()
+        }
+        _ => false,
+    };
+    let highlighted = [
+        ("cell ", CELL, NodeCell::of_event(session, here).is_some()),
+        ("split ", SPLIT, is_split),
+        ("tested ", TESTED, matches!(event, Some(Event::Test { .. }))),
+    ];
+    for (name, color, _) in highlighted.into_iter().filter(|(.., is_shown)| *is_shown) {
+        line.push_span(Span::raw(name).fg(color));
+    }
     if usize::from(area.width) > line.width() {
         write(buffer, area.x + 1, area.bottom(), &line, area.width - 1);
     }

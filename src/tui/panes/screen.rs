@@ -55,7 +55,10 @@ fn around_tree(model: &Model, session: &Session, pane: Pane, panes: &Panes, buff
         Pane::Picture => return,
         Pane::Tree => tree::title(session),
         Pane::Details => details::title(session),
-        Pane::Steps => steps::title(session),
+        Pane::Steps => {
+            let taken = if layout.focus == pane { 3 } else { 2 };
+            steps::title(session, panes.area(pane).width.saturating_sub(taken))
+        }
         Pane::Path => paths::title(layout.axis),
     };
     let Some(area) = frame(model, pane, panes, title, buffer) else {

@@ -1,4 +1,4 @@
-//! Traversal pane: the current ray's steps through the acceleration structure.
+//! Traversal pane: the current ray's steps through the acceleration structure as a tree, and the t axis of the current one.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -7,31 +7,18 @@ use ratatui::text::{Line, Span};
 
 use super::text::{arrows, write};
 use super::theme;
-use crate::debug::steps::visited_and_tested;
+use crate::debug::steps::totals;
+use crate::debug::t_axis::TAxis;
 use crate::debug::{Session, StepKind, StepText};
-use crate::tui::model::state::first_step;
+use crate::tui::model::state::{first_step, step_rows};
 
-/// Its title.
-pub fn title(session: &Session) -> Line<'static> {
-    let steps = session.steps();
-    let here = session.cursor().position();
-    let kind = session.settings.accel.name();
-    if steps.contains(&here) {
-        let (n, of) = (here - steps.start + 1, steps.len());
-        return Line::raw(format!(" {kind} step {n} of {of} "));
-    }
-    if steps.is_empty() {
-        return Line::raw(format!(" {kind} "));
-    }
-    let all = session.world.accel.stats().nodes;
-    let shapes = session.world.scene.shapes.len();
-    let (visited, tested) = visited_and_tested(session);
-    Line::raw(format!(
-        " {kind}: {visited} of {all} nodes, {tested} of {shapes} shapes "
-    ))
+/// Its title, in at most so many columns.
+pub fn title(session: &Session, width: u16) -> Line<'static> {
+    let room = usize::from(width).saturating_sub(2);
+    Line::raw(format!(" {} ", totals(session, room)))
 }
 
-/// Draws the steps around the current one.
+/// Draws the steps around the current one, and the t axis of that below them.
 pub fn draw(session: &Session, area: Rect, buffer: &mut Buffer) {
     let steps = session.steps();
     if steps.is_empty() {
@@ -46,17 +33,28 @@ pub fn draw(session: &Session, area: Rect, buffer: &mut Buffer) {
         return;
     }
     let here = session.cursor().position();
+    let bottom = area.y + step_rows(area.height);
     let shown = first_step(session, area.height)..steps.end;
     let (above, below) = (
         shown.start > steps.start,
-        shown.len() > usize::from(area.height),
+        shown.len() > usize::from(bottom - area.y),
     );
     arrows(buffer, area, above, below);
-    for (y, index) in (area.y..area.bottom()).zip(shown) {
+    let rows = (area.y..bottom).zip(shown);
+    // Deep in the tree the outer lines give way to words: all rows move to the left together.
+    let deepest = rows
+        .clone()
+        .filter_map(|(_, index)| session.step_number(index))
+        .map(|step| session.step_tree.depth(step))
+        .max();
+    let hidden = deepest
+        .unwrap_or(0)
+        .saturating_sub(usize::from(area.width) / 3);
+    for (y, index) in rows {
         let current = index == here;
         let mut line = Line::from(Span::raw(if current { theme::POINTER } else { " " }).bold());
         if let Some(step) = StepText::new(session, index) {
-            line.extend(spans(step));
+            line.extend(spans(step, hidden));
         }
         write(buffer, area.x, y, &line, area.width);
         if current {
@@ -64,17 +62,29 @@ pub fn draw(session: &Session, area: Rect, buffer: &mut Buffer) {
             buffer.set_style(row.intersection(buffer.area), theme::current());
         }
     }
+    if let Some(axis) = TAxis::new(session).filter(|_| bottom < area.bottom()) {
+        let room = area.width.saturating_sub(1);
+        let line = Line::raw(axis.line(usize::from(room)));
+        write(buffer, area.x + 1, bottom, &line, room);
+        let legend = Line::raw(axis.legend(usize::from(room))).style(theme::dim());
+        write(buffer, area.x + 1, bottom + 1, &legend, room);
+    }
 }
 
 /// A step: skipped nodes and shapes that are not hit step back.
-fn spans(step: StepText) -> Vec<Span<'static>> {
+fn spans(step: StepText, hidden: usize) -> Vec<Span<'static>> {
     let (name, result) = match step.kind {
         StepKind::Visited => (Style::new().bold(), Style::new()),
         StepKind::Skipped => (theme::dim().bold(), theme::dim()),
         StepKind::Hit => (Style::new(), Style::new().bold()),
         StepKind::NoHit => (Style::new(), theme::dim()),
     };
+    let mut guides: String = step.guides.chars().skip(hidden).collect();
+    if hidden > 0 && !step.guides.is_empty() {
+        guides.insert(0, '‹');
+    }
     vec![
+        Span::styled(guides, theme::dim()),
         Span::styled(step.name, name),
         Span::styled(step.result, result),
         Span::styled(step.interval, theme::dim()),

@@ -3,7 +3,7 @@
 use ratatui::layout::Position;
 
 use super::{image, rows};
-use crate::tui::model::state::{first_row, first_step};
+use crate::tui::model::state::{first_row, first_step, step_rows};
 use crate::tui::model::{Model, Mouse, Pane, inside};
 
 /// The mouse did something at a cell of the screen.
@@ -51,7 +51,8 @@ fn select(model: &mut Model, pane: Pane, height: u16, line: usize) {
         }
     } else if pane == Pane::Steps {
         let step = first_step(session, height) + line;
-        if session.steps().contains(&step) {
+        let shown = line < usize::from(step_rows(height));
+        if shown && session.steps().contains(&step) {
             session.go_to_event(step);
         }
     }
