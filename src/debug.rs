@@ -5,6 +5,7 @@
 pub mod convergence;
 pub mod cursor;
 pub mod drawing;
+pub mod edit;
 pub mod effects;
 pub mod extent;
 pub mod marks;

@@ -13,4 +13,4 @@ pub use action::{Action, Context};
 pub use layout::{Pane, Panes, inside};
 pub use message::{Job, JobOutput, Message, Mouse};
 pub use options::Options;
-pub use state::{Model, Overlay, Play, Prompt, Request};
+pub use state::{Model, Overlay, PendingChange, Play, Prompt, Request};

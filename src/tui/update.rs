@@ -4,6 +4,7 @@ mod action;
 mod compare;
 mod convergence;
 mod dispatch;
+mod edit;
 mod effects;
 mod image;
 mod keys;

@@ -16,7 +16,7 @@ use crate::debug::{
 };
 use crate::lab::show::ShowMode;
 use crate::scene::effects::{Finding, findings};
-use crate::scene::{Settings, Warning, view_command};
+use crate::scene::{Edit, Patch, Settings, Warning, view_command};
 use crate::trace::Address;
 use crate::trace::address::{AddressPart, path_of};
 use crate::trace::facts::TreePath;
@@ -44,7 +44,7 @@ pub enum Prompt {
     GoTo,
     /// To search for a query.
     Search,
-    /// To change a setting.
+    /// To change a setting or a number of the scene.
     Set,
     /// To compare the open tree with another one.
     Compare,
@@ -52,6 +52,19 @@ pub enum Prompt {
     Note,
     /// To write the marks into a file.
     Write,
+    /// To write the changes of the scene into a file.
+    WritePatch,
+}
+
+/// A change of the scene that is being made.
+#[derive(Clone, Debug)]
+pub struct PendingChange {
+    /// Since when.
+    pub since: Instant,
+    /// All changes, from the scene as it was read.
+    pub edits: Vec<Edit>,
+    /// The text that was typed; none if a change is taken back.
+    pub typed: Option<String>,
 }
 
 /// What the debugger asks of the program around it.
@@ -126,8 +139,14 @@ pub struct Model {
     pub layout: LayoutState,
     /// One sentence for the user, until the next key.
     pub message: Option<String>,
-    /// The settings before each change, the last one at the end.
-    pub undone: Vec<Settings>,
+    /// What is changed of the scene.
+    pub patch: Patch,
+    /// The change that is being made.
+    pub changing: Option<PendingChange>,
+    /// The settings, and the changes of the scene, before each change, the last one at the end.
+    pub undone: Vec<(Settings, Patch)>,
+    /// The ray to go to when the pixel is traced again.
+    pub again: Option<TreePath>,
     /// Marked places, and the number of the one that was shown last.
     pub marks: Marks,
     pub marked: usize,
@@ -152,6 +171,7 @@ impl Model {
             world: Arc::new(world),
             settings,
             mouse: options.mouse,
+            patch: options.patch.clone(),
             options,
             picture: PartialPicture::default(),
             show: None,
@@ -162,7 +182,9 @@ impl Model {
             play: None,
             search: None,
             overlay: None,
+            changing: None,
             undone: Vec::new(),
+            again: None,
             marks,
             marked: 0,
             clipboard: None,

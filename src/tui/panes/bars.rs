@@ -5,12 +5,12 @@ use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
 
-use super::text::{columns, shortened, write};
+use super::text::{columns, padded, shortened, wrap, write};
 use super::theme;
 use crate::debug::effects::deviations;
 use crate::lab::show::{ShowMode, ShownRange, ShownValue};
 use crate::math::Rgb;
-use crate::scene::trace_command;
+use crate::scene::{Scene, trace_command};
 use crate::trace::format::{counted, num};
 use crate::tui::model::bindings::ACTIONS;
 use crate::tui::model::{Context, Model, Overlay, Prompt};
@@ -33,6 +33,7 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         let (count, share) = (trace.pixel.cuts.count(), 100.0 * trace.pixel.cut_share());
         line.push_span(format!("{count} cut ({share:.1} %)  "));
     }
+    remark(&mut line, changed(&session.world.scene));
     remark(&mut line, deviations(&session.settings, &model.findings));
     line.push_span(theme::swatch(
         trace.pixel.color * session.settings.image.exposure,
@@ -61,6 +62,7 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
     let (x, y) = model.picture.cursor;
     let mut line = Line::from(Span::raw(format!(" ({x}, {y}) ")).bold());
     warned(&mut line, model);
+    remark(&mut line, changed(&model.world.scene));
     remark(&mut line, deviations(&model.settings, &model.findings));
     match model.picture.exact((x, y)) {
         Some(value) if model.show.is_some() => {
@@ -127,6 +129,15 @@ fn remark(line: &mut Line, deviations: Option<String>) {
     }
 }
 
+/// How many numbers of the scene are changed, and how to see them.
+fn changed(scene: &Scene) -> Option<String> {
+    match scene.changes.len() {
+        0 => None,
+        1 => Some("1 change: press C".to_owned()),
+        n => Some(format!("{n} changes: press C")),
+    }
+}
+
 fn short(x: f64) -> String {
     let text = format!("{x:.4}");
     if x.abs() < 1000.0 { text } else { num(x) }
@@ -134,11 +145,16 @@ fn short(x: f64) -> String {
 
 /// What the background is doing.
 fn busy(model: &Model) -> String {
-    if let Some(since) = model.waiting {
-        let waited = since.elapsed().as_millis();
+    let changing = model.changing.as_ref().map(|change| change.since);
+    let jobs = [
+        (changing, "changing the scene"),
+        (model.waiting, "tracing the pixel"),
+    ];
+    for (since, what) in jobs {
+        let waited = since.map_or(0, |since| since.elapsed().as_millis());
         if waited >= PATIENCE {
             let turn = ["-", "\\", "|", "/"][(waited / 100 % 4) as usize];
-            return format!("  {turn} tracing the pixel (Esc gives up)");
+            return format!("  {turn} {what} (Esc gives up)");
         }
     }
     let progress = model.picture.progress();
@@ -170,13 +186,25 @@ fn asked(model: &Model, prompt: Prompt, text: &str) -> String {
         }
         (Prompt::GoTo, None) => "pixel or address".to_owned(),
         (Prompt::Set, _) if is_short => "set".to_owned(),
-        (Prompt::Set, _) => "set (flag=value)".to_owned(),
+        (Prompt::Set, _) => "set (flag=value or kind.name.field=value)".to_owned(),
         (Prompt::Note, _) => "note".to_owned(),
         (Prompt::Write, _) => "new file for the marks".to_owned(),
+        (Prompt::WritePatch, _) => "new file for the patch".to_owned(),
         (Prompt::Compare, _) if is_short => "compare".to_owned(),
         (Prompt::Compare, _) => "compare with X,Y, flag=value or a file".to_owned(),
     };
     format!(" {label}: {text}▏ ")
+}
+
+/// Writes a message for which there is no room beside what is typed on the lines above.
+fn above(message: &str, area: Rect, buffer: &mut Buffer) {
+    let lines = wrap(message, usize::from(area.width).saturating_sub(2));
+    let count = (lines.len() as u16).min(area.y);
+    for (y, text) in (area.y - count..area.y).zip(lines) {
+        let text = padded(&format!(" {text}"), area.width.into());
+        let line = Line::from(Span::raw(text).bold().reversed());
+        write(buffer, area.x, y, &line, area.width);
+    }
 }
 
 /// What the keys do here, as many as there is room for.
@@ -189,7 +217,12 @@ pub fn hint(model: &Model, area: Rect, buffer: &mut Buffer) {
         line.push_span(Span::raw(asked(model, *prompt, text)).bold());
     }
     if let Some(message) = &model.message {
-        line.push_span(Span::raw(format!(" {message} ")).bold());
+        let is_asked = line.width() > 0;
+        if is_asked && line.width() + columns(message) + 2 > usize::from(area.width) {
+            above(message, area, buffer);
+        } else {
+            line.push_span(Span::raw(format!(" {message} ")).bold());
+        }
     }
     let context = model.context();
     let here = |c: Context| c == context || c == Context::Always;

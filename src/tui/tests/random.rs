@@ -5,7 +5,7 @@ use ratatui::layout::{Position, Rect};
 
 use super::support::{app, buffer, keys, settle};
 use crate::tui::model::bindings::ACTIONS;
-use crate::tui::model::{Mouse, Request};
+use crate::tui::model::{Mouse, Overlay, Prompt, Request};
 use crate::tui::terminal::program::Program;
 
 /// Inputs of a run; with `RAYTREE_KEYS=n` that many.
@@ -32,7 +32,7 @@ const SIZES: [(u16, u16); 10] = [
     (200, 20),
 ];
 
-const TEXTS: [&str; 9] = [
+const TEXTS: [&str; 14] = [
     "tir\n",
     "samples=2\n",
     "depth=1\n",
@@ -42,7 +42,31 @@ const TEXTS: [&str; 9] = [
     "hits:",
     "99999\n",
     "/R\n",
+    "material.glass.ior=1.3\n",
+    "material.mirror.mirror*=0.5\n",
+    "light.sun.intensity=[1,0.5,0]\n",
+    "object.glass sphere.center[1]+=0.1\n",
+    "camera.eye=[0,1,5]\n",
 ];
+
+/// Types a change of the scene, and takes it.
+fn change(app: &mut Program, choice: usize) {
+    for _ in 0..2 {
+        app.press(KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
+    }
+    let text = TEXTS[TEXTS.len() - 5 + choice % 5];
+    for letter in "=".chars().chain(text.trim_end().chars()) {
+        app.press(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::NONE));
+    }
+    app.press(KeyEvent::new(KeyCode::Enter, KeyModifiers::NONE));
+}
+
+/// Leaves a prompt for a new file: this test leaves nothing behind.
+fn write_nothing(app: &mut Program) {
+    if let Some(Overlay::Prompt(Prompt::Write | Prompt::WritePatch, _)) = app.model.overlay {
+        app.press(KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
+    }
+}
 
 /// Does something that the number chooses.
 fn input(app: &mut Program, dice: u64) {
@@ -61,6 +85,9 @@ fn input(app: &mut Program, dice: u64) {
         2 => {
             for letter in TEXTS[choice % TEXTS.len()].chars() {
                 let is_end = letter == '\n';
+                if is_end {
+                    write_nothing(app);
+                }
                 press(
                     app,
                     if is_end {
@@ -71,6 +98,7 @@ fn input(app: &mut Program, dice: u64) {
                 );
             }
         }
+        4 => change(app, choice),
         3 => {
             press(app, KeyCode::Char(char::from(32 + choice as u8 % 95)));
         }
@@ -78,6 +106,9 @@ fn input(app: &mut Program, dice: u64) {
             let keys = ACTIONS.iter().flat_map(|b| b.keys);
             let count = keys.clone().count();
             if let Some((key, _)) = keys.clone().nth(choice % count) {
+                if key.event().code == KeyCode::Enter {
+                    write_nothing(app);
+                }
                 app.press(key.event());
             }
         }
@@ -91,7 +122,8 @@ fn input(app: &mut Program, dice: u64) {
 fn no_keys_in_any_order_break_it() {
     let inputs = std::env::var("RAYTREE_KEYS").map_or(INPUTS, |n| n.parse().expect("a number"));
     let mut app = app(60, 20);
-    let start = app.model.settings;
+    let (start, hash) = (app.model.settings, app.model.world.scene.hash.clone());
+    let mut changed = 0;
     let mut state = 7;
     let (mut settled, mut drawn) = (0, 0);
     for _ in 0..inputs {
@@ -111,9 +143,12 @@ fn no_keys_in_any_order_break_it() {
         if dice.is_multiple_of(97) {
             settle(&mut app);
             settled += 1;
+            changed += u64::from(!app.model.patch.is_empty());
         }
     }
     assert!(drawn > inputs / 20 && settled > 3, "{drawn}, {settled}");
+    assert!(changed > 0, "the scene is changed, too");
+    settle(&mut app);
     // Back to the picture, and everything taken back.
     app.resize(Rect::new(0, 0, 60, 20));
     for _ in 0..12 {
@@ -130,4 +165,6 @@ fn no_keys_in_any_order_break_it() {
         s.effects = app.model.settings.effects;
     });
     assert_eq!(app.model.settings, kept);
+    assert_eq!(app.model.world.scene.hash, hash);
+    assert!(app.model.patch.is_empty() && app.model.world.scene.changes.is_empty());
 }

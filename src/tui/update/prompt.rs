@@ -1,6 +1,7 @@
 //! Prompt: a text that is typed, to go somewhere, to search, to change a setting, to compare.
 
-use super::{compare, image, marks, search, set};
+use super::{compare, edit, image, marks, search, set};
+use crate::debug::edit::examples;
 use crate::debug::search::READY;
 use crate::tui::model::{Model, Overlay, Prompt};
 
@@ -46,11 +47,15 @@ pub fn ready(model: &mut Model, next: bool) {
     let Some(Overlay::Prompt(prompt, text)) = &mut model.overlay else {
         return;
     };
-    let texts: &[&str] = match prompt {
-        Prompt::Search => &READY,
-        Prompt::Compare => &compare::READY,
-        Prompt::Set => &SETTINGS,
-        Prompt::GoTo | Prompt::Note | Prompt::Write => return,
+    let owned = |list: &[&str]| list.iter().map(|&text| text.to_owned()).collect();
+    let texts: Vec<String> = match prompt {
+        Prompt::Search => owned(&READY),
+        Prompt::Compare => owned(&compare::READY),
+        Prompt::Set => {
+            let settings: Vec<String> = owned(&SETTINGS);
+            [examples(&model.world.scene), settings].concat()
+        }
+        Prompt::GoTo | Prompt::Note | Prompt::Write | Prompt::WritePatch => return,
     };
     let count = texts.len();
     let at = texts.iter().position(|ready| ready == text);
@@ -75,6 +80,7 @@ pub fn accept(model: &mut Model) {
         }
         _ if text.trim().is_empty() => Ok(()),
         Prompt::Write => marks::write(model, text.trim()),
+        Prompt::WritePatch => edit::write(model, text.trim()),
         Prompt::GoTo => go_to(model, text.trim()),
         Prompt::Search => search::start(model, text.trim()),
         Prompt::Set => set::typed(model, text.trim()),
