@@ -61,7 +61,7 @@ pub fn in_one_line(error: &SceneError) -> String {
 pub fn examples(scene: &Scene) -> Vec<String> {
     let mut examples = Vec::new();
     // Others could not be typed, or stand for another name.
-    let is_plain = |name: &str| name.chars().all(|c| is_printable(c) && c != '\\');
+    let is_plain = |name: &str| name.chars().all(|c| is_printable(c) && !"\"\\".contains(c));
     let lights = scene.lights.iter().filter(|light| is_plain(&light.name));
     lights
         .take(MOST_EXAMPLES)
@@ -140,15 +140,17 @@ pub fn told(scene: &Scene, settings: &Settings, patch: &Patch, command: &str) ->
         parts.push(format!(
             "In the scene (U takes the last one back):\n{changes}"
         ));
+    }
+    if !settings.is_empty() {
+        parts.push(format!("Settings:\n{}", settings.join("\n")));
+    }
+    parts.push(format!("All of it again:\n  {command}"));
+    if !patch.is_empty() {
         let json = patch.to_json();
         parts.push(format!(
             "As a patch, which P writes into a file for --patch:\n{}",
             json.trim_end()
         ));
     }
-    if !settings.is_empty() {
-        parts.push(format!("Settings:\n{}", settings.join("\n")));
-    }
-    parts.push(format!("All of it again:\n  {command}"));
     printable_lines(&parts.join("\n\n"))
 }

@@ -12,6 +12,7 @@ mod section;
 mod tests;
 mod typed;
 
+use std::collections::HashMap;
 use std::io::Read as _;
 use std::path::Path;
 
@@ -23,7 +24,7 @@ use super::printable::printable;
 use super::read::error::{Problem, SceneError};
 use super::read::files::regular;
 use merge::merge;
-use section::{Section, elements, unknown};
+use section::{Element, Section, elements, unknown};
 
 /// Changes by section of the scene file, name (where a section has names) and field.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -121,8 +122,12 @@ impl Patch {
                 ));
             };
             let known = elements(scene, section);
+            let by_name: HashMap<&str, &Element> = known
+                .iter()
+                .map(|element| (element.name.as_str(), element))
+                .collect();
             for (name, fields) in named {
-                let found = known.iter().find(|element| element.name == *name);
+                let found = by_name.get(name.as_str());
                 let found = found.ok_or_else(|| unknown(section, name, &known, scene))?;
                 section.check_fields(name, fields)?;
                 if let Some(place) = scene.pointer_mut(&found.pointer) {

@@ -1,5 +1,7 @@
 //! A patch as values of `--change`, one for each value that it changes.
 
+use std::collections::BTreeSet;
+
 use serde_json::{Map, Value};
 
 use super::number::written;
@@ -14,10 +16,8 @@ pub fn flags(patch: &Map<String, Value>, scene: &Value) -> Vec<String> {
         };
         match change {
             Value::Object(named) if section.has_names() => {
-                let known: Vec<String> = elements(scene, section)
-                    .into_iter()
-                    .map(|element| element.name)
-                    .collect();
+                let known = elements(scene, section).into_iter();
+                let known: BTreeSet<String> = known.map(|element| element.name).collect();
                 for (name, fields) in named {
                     let path = format!("{}.{}", section.singular(), word(name, &known));
                     leaves(&path, fields, &mut flags);
@@ -51,15 +51,13 @@ fn leaves(path: &str, value: &Value, flags: &mut Vec<String>) {
 }
 
 /// A name as it stands in a path: in quotation marks where it would be read as another one.
-fn word(name: &str, known: &[String]) -> String {
+fn word(name: &str, known: &BTreeSet<String>) -> String {
     let is_plain = name
         .chars()
         .all(|c| c.is_alphanumeric() || "_-/# ".contains(c));
-    let longer = |other: &String| {
-        let rest = other.strip_prefix(name);
-        rest.is_some_and(|rest| rest.starts_with('.'))
-    };
-    if is_plain && !known.iter().any(longer) {
+    let dotted = format!("{name}.");
+    let longer = known.range(dotted.clone()..).next();
+    if is_plain && !longer.is_some_and(|longer| longer.starts_with(&dotted)) {
         return name.to_owned();
     }
     Value::from(name).to_string()

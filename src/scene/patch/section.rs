@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use crate::scene::limits::MAX_NAME_BYTES;
 use crate::scene::printable::printable;
 use crate::scene::read::did_you_mean::did_you_mean;
 use crate::scene::read::error::Problem;
@@ -141,6 +142,10 @@ fn listed(list: &Value, prefix: &str, at: &str, found: &mut Vec<Element>) {
             continue;
         };
         let name = format!("{prefix}{}", fields["name"].as_str().unwrap_or_default());
+        // The reader refuses longer ones; their parts would have still longer ones.
+        if name.len() > MAX_NAME_BYTES {
+            continue;
+        }
         let pointer = format!("{at}/{i}/{kind}");
         let inner = (format!("{name}/"), format!("{pointer}/objects"));
         listed(&fields["objects"], &inner.0, &inner.1, found);

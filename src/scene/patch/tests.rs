@@ -40,51 +40,22 @@ fn bits(scene: &Scene) -> String {
 }
 
 /// The change of the first, taken back by the second: one of each kind of value.
+#[rustfmt::skip]
 const THERE_AND_BACK: [[&str; 2]; 16] = [
     ["material.glass.ior=1.3", "material.glass.ior=1.5"],
     ["materials.glass.ior += 0.25", "material.glass.ior+=-0.25"],
     ["material.glass.ior*=2", "material.glass.ior=1.5"],
-    [
-        "material.glass.mirror=[1,1,1]",
-        "material.glass.mirror=null",
-    ],
+    ["material.glass.mirror=[1,1,1]", "material.glass.mirror=null"],
     ["material.\"glass\".ior=2", "material.glass.ior=1.5"],
-    [
-        "material.a.b=c.diffuse=[0,1,0]",
-        "material.\"a.b=c\".diffuse=[1,0,0]",
-    ],
-    [
-        "material.floor.checker.size=2",
-        "material.floor.checker.size=0.5",
-    ],
-    [
-        "material.floor.checker=null",
-        "material.floor.checker={\"diffuse\":[1,1,1],\"size\":0.5}",
-    ],
-    [
-        "light.lamp.intensity=[1,0.5,0]",
-        "light.lamp.intensity[2]=0.25",
-    ],
-    [
-        "light.lamp.position+=[1,0,-1]",
-        "light.lamp.position=[1,2,3]",
-    ],
-    [
-        "object.pair/left.center[0]*=2",
-        "object.pair/left.center[0]=-3",
-    ],
-    [
-        "object.pair/right.001.radius=2",
-        "object.pair/right.001.radius=1",
-    ],
-    [
-        "object.pair.transform[0].rotate.degrees=20",
-        "object.pair.transform[0].rotate.degrees=10",
-    ],
-    [
-        "object.ball.material=\"floor\"",
-        "object.ball.material=\"glass\"",
-    ],
+    ["material.a.b=c.diffuse=[0,1,0]", "material.\"a.b=c\".diffuse=[1,0,0]"],
+    ["material.floor.checker.size=2", "material.floor.checker.size=0.5"],
+    ["material.floor.checker=null", "material.floor.checker={\"diffuse\":[1,1,1],\"size\":0.5}"],
+    ["light.lamp.intensity=[1,0.5,0]", "light.lamp.intensity[2]=0.25"],
+    ["light.lamp.position+=[1,0,-1]", "light.lamp.position=[1,2,3]"],
+    ["object.pair/left.center[0]*=2", "object.pair/left.center[0]=-3"],
+    ["object.pair/right.001.radius=2", "object.pair/right.001.radius=1"],
+    ["object.pair.transform[0].rotate.degrees=20", "object.pair.transform[0].rotate.degrees=10"],
+    ["object.ball.material=\"floor\"", "object.ball.material=\"glass\""],
     ["camera.eye=[0,1,5]", "camera.eye[1]=0"],
     ["background[1]=0.5", "background=[0,0,0]"],
 ];
@@ -153,151 +124,40 @@ fn a_path_where_a_longer_name_could_be_meant_is_quoted() {
 }
 
 /// What is wrong, and what to do.
+#[rustfmt::skip]
 const MISTAKES: [[&str; 3]; 34] = [
-    [
-        "ior=2",
-        "a scene has no `ior`",
-        "what can be changed is camera, background",
-    ],
-    [
-        "materail.glass.ior=2",
-        "a scene has no `materail`",
-        "did you mean `material`?",
-    ],
-    [
-        "material=2",
-        "the name of the material is missing",
-        "KIND.NAME.FIELD=VALUE",
-    ],
-    [
-        "material.glas.ior=2",
-        "there is no material `glas`",
-        "did you mean `glass`?",
-    ],
-    [
-        "material.gold.ior=2",
-        "there is no material `gold`",
-        "there are a.b=c, floor, glass, glass.ior",
-    ],
-    [
-        "light.lmap.intensity=[1,1,1]",
-        "there is no light `lmap`",
-        "did you mean `lamp`?",
-    ],
-    [
-        "object.left.radius=1",
-        "there is no object `left`",
-        "there are ball, pair/left",
-    ],
-    [
-        "material.\"glass.ior=2",
-        "the name has no closing",
-        "KIND.NAME",
-    ],
+    ["ior=2", "a scene has no `ior`", "what can be changed is camera, background"],
+    ["materail.glass.ior=2", "a scene has no `materail`", "did you mean `material`?"],
+    ["material=2", "the name of the material is missing", "KIND.NAME.FIELD=VALUE"],
+    ["material.glas.ior=2", "there is no material `glas`", "did you mean `glass`?"],
+    ["material.gold.ior=2", "there is no material `gold`", "there are a.b=c, floor, glass, glass.ior"],
+    ["light.lmap.intensity=[1,1,1]", "there is no light `lmap`", "did you mean `lamp`?"],
+    ["object.left.radius=1", "there is no object `left`", "there are ball, pair/left"],
+    ["material.\"glass.ior=2", "the name has no closing", "KIND.NAME"],
     ["material.glass.iro=2", "iro", "did you mean `ior`?"],
-    [
-        "light.sun.position=[1,1,1]",
-        "no field `position`",
-        "possible here: direction",
-    ],
-    [
-        "material.glass.ior=two",
-        "`two` is no value in JSON",
-        "double quotation marks",
-    ],
-    [
-        "material.glass.ior=\"two\"",
-        "what is expected is a number",
-        "write",
-    ],
-    [
-        "material.glass.ior=1000",
-        "1000 is not possible here",
-        "a number from 0.01 to 100",
-    ],
-    [
-        "material.glass.ior=1e999",
-        "`1e999` is no value",
-        "write a number",
-    ],
-    [
-        "material.glass.ior",
-        "there is no = and no value",
-        "KIND.NAME",
-    ],
-    [
-        "material.glass.ior 2",
-        "`2` stands where = should",
-        "KIND.NAME",
-    ],
-    [
-        "material.glass.=2",
-        "the name of a field is missing",
-        "KIND.NAME",
-    ],
-    [
-        "material.glass.mirror[3]=1",
-        "the list has no element [3]",
-        "it has 3, counted from 0",
-    ],
-    [
-        "material.glass.mirror[x]=1",
-        "`[x]` is no place in a list",
-        "KIND.NAME",
-    ],
-    [
-        "material.glass.ior[0]=1",
-        "what stands before [...] is no list",
-        "leave the [...] out",
-    ],
-    [
-        "material.glass.iorr+=1",
-        "there is no number here",
-        "check the spelling",
-    ],
-    [
-        "material.glass.mirror+=[1,2]",
-        "there is no number here",
-        "write =",
-    ],
-    [
-        "material.glass.ior*=1e308",
-        "is not possible here",
-        "a number from",
-    ],
-    [
-        "material.glass=null",
-        "single fields can be changed",
-        "name the field",
-    ],
-    [
-        "object.ball.name=\"b\"",
-        "keeps its name",
-        "in the scene file",
-    ],
-    [
-        "object.pair.objects=[]",
-        "the parts of `pair`",
-        "object.pair/PART",
-    ],
+    ["light.sun.position=[1,1,1]", "no field `position`", "possible here: direction"],
+    ["material.glass.ior=two", "`two` is no value in JSON", "double quotation marks"],
+    ["material.glass.ior=\"two\"", "what is expected is a number", "write"],
+    ["material.glass.ior=1000", "1000 is not possible here", "a number from 0.01 to 100"],
+    ["material.glass.ior=1e999", "`1e999` is no value", "write a number"],
+    ["material.glass.ior", "there is no = and no value", "KIND.NAME"],
+    ["material.glass.ior 2", "`2` stands where = should", "KIND.NAME"],
+    ["material.glass.=2", "the name of a field is missing", "KIND.NAME"],
+    ["material.glass.mirror[3]=1", "the list has no element [3]", "it has 3, counted from 0"],
+    ["material.glass.mirror[x]=1", "`[x]` is no place in a list", "KIND.NAME"],
+    ["material.glass.ior[0]=1", "what stands before [...] is no list", "leave the [...] out"],
+    ["material.glass.iorr+=1", "there is no number here", "check the spelling"],
+    ["material.glass.mirror+=[1,2]", "there is no number here", "write ="],
+    ["material.glass.ior*=1e308", "is not possible here", "a number from"],
+    ["material.glass=null", "single fields can be changed", "name the field"],
+    ["object.ball.name=\"b\"", "keeps its name", "in the scene file"],
+    ["object.pair.objects=[]", "the parts of `pair`", "object.pair/PART"],
     ["object.ball.radius=null", "radius", "\"radius\""],
-    [
-        "object.ball.material=\"gold\"",
-        "there is no material `gold`",
-        "glass",
-    ],
+    ["object.ball.material=\"gold\"", "there is no material `gold`", "glass"],
     ["camera=[1,2,3]", "single fields", "name the field"],
-    [
-        "camera.eye=[0,0,0]",
-        "`eye` and `look_at` are the same point",
-        "move one",
-    ],
+    ["camera.eye=[0,0,0]", "`eye` and `look_at` are the same point", "move one"],
     ["camera.eye=[0,0]", "a list of length 3", "[x, y, z]"],
-    [
-        "settings.samples=3",
-        "a scene has no `settings`",
-        "what can be changed",
-    ],
+    ["settings.samples=3", "a scene has no `settings`", "what can be changed"],
     ["background=[2e12,0,0]", "is not possible here", "0 to 1e12"],
     ["", "a scene has no ``", "what can be changed"],
 ];

@@ -82,7 +82,7 @@ impl Files {
         self.hash.finalize().to_string()
     }
 
-    /// The same files, of a scene whose file has another text.
+    /// These files, of a scene whose own file has another text.
     #[must_use]
     pub fn of_other_text(&self, text: &str) -> Self {
         let mut files = self.clone();

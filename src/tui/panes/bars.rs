@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Stylize as _;
 use ratatui::text::{Line, Span};
+use ratatui::widgets::{Clear, Widget};
 
 use super::text::{columns, padded, shortened, wrap, write};
 use super::theme;
@@ -200,7 +201,13 @@ fn asked(model: &Model, prompt: Prompt, text: &str) -> String {
 fn above(message: &str, area: Rect, buffer: &mut Buffer) {
     let lines = wrap(message, usize::from(area.width).saturating_sub(2));
     let count = (lines.len() as u16).min(area.y);
-    for (y, text) in (area.y - count..area.y).zip(lines) {
+    let box_above = Rect {
+        y: area.y - count,
+        height: count,
+        ..area
+    };
+    Clear.render(box_above, buffer);
+    for (y, text) in (box_above.y..area.y).zip(lines) {
         let text = padded(&format!(" {text}"), area.width.into());
         let line = Line::from(Span::raw(text).bold().reversed());
         write(buffer, area.x, y, &line, area.width);

@@ -3,22 +3,12 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::{image, marks, set};
+use super::history::{check_ready, remember, take};
+use super::{image, marks};
 use crate::debug::edit::{EditedWorld, kept_effects, told};
 use crate::scene::Edit;
 use crate::scene::printable::shell_word;
 use crate::tui::model::{Job, Model, Overlay, PendingChange, Prompt};
-
-/// Changes that can be undone.
-const MOST_UNDONE: usize = 1000;
-
-/// An error while a change is being made: the next one would be made to another scene than the user sees.
-pub fn check_ready(model: &Model) -> Result<(), String> {
-    match model.changing {
-        Some(_) => Err("the scene is being changed; Esc gives that up".to_owned()),
-        None => Ok(()),
-    }
-}
 
 /// Begins to change the scene as it was typed.
 pub fn start(model: &mut Model, text: &str) {
@@ -47,14 +37,6 @@ pub fn give_up(model: &mut Model) -> bool {
     true
 }
 
-/// Keeps what can be gone back to.
-pub fn remember(model: &mut Model) {
-    if model.undone.len() >= MOST_UNDONE {
-        model.undone.remove(0);
-    }
-    model.undone.push((model.settings, model.patch.clone()));
-}
-
 /// Takes the last change back, of a setting or of the scene.
 pub fn undo(model: &mut Model) {
     if let Err(problem) = check_ready(model) {
@@ -70,7 +52,7 @@ pub fn undo(model: &mut Model) {
         Some((settings, _)) => {
             let settings = *settings;
             model.undone.pop();
-            set::take(model, settings);
+            take(model, settings);
             model.message = Some(TAKEN_BACK.to_owned());
         }
     }
@@ -98,7 +80,7 @@ pub fn take_in(model: &mut Model, changed: Result<Box<EditedWorld>, String>) {
                 (None, Some((settings, _))) => {
                     let settings = *settings;
                     model.undone.pop();
-                    set::take(model, settings);
+                    take(model, settings);
                     model.message = Some(TAKEN_BACK.to_owned());
                 }
                 _ => image::redo(model),

@@ -1,20 +1,18 @@
 //! Settings that change while the debugger runs: the picture and an open tree follow, and each change can be undone.
 //! What is typed may change the scene as well: see `edit.rs`.
 
-use std::sync::Arc;
-
-use super::{edit, image};
+use super::edit;
+use super::history::{check_ready, remember, take};
 use crate::scene::Settings;
 use crate::scene::settings::knobs::set_knob;
 use crate::tui::model::Model;
-use crate::world::World;
 
 /// Samples of a pixel or of a light at most, by keys.
 const MOST_SAMPLES: u32 = 4096;
 
 /// Takes a setting as `flag=value`, such as `samples=16`, or a number of the scene by its path, such as `material.glass.ior=1.3`.
 pub fn typed(model: &mut Model, text: &str) -> Result<(), String> {
-    edit::check_ready(model)?;
+    check_ready(model)?;
     let Some((flag, value)) = text.split_once('=') else {
         return Err(format!(
             "`{text}` sets nothing; write flag=value, such as samples=16"
@@ -80,22 +78,10 @@ fn change(model: &mut Model, settings: Settings) {
     if settings == model.settings {
         return;
     }
-    if let Err(problem) = edit::check_ready(model) {
+    if let Err(problem) = check_ready(model) {
         model.message = Some(problem);
         return;
     }
-    edit::remember(model);
+    remember(model);
     take(model, settings);
-}
-
-/// Goes on with these settings.
-pub fn take(model: &mut Model, settings: Settings) {
-    if settings.accel != model.settings.accel {
-        let scene = model.world.scene.clone();
-        model.world = Arc::new(World::new(scene, settings.accel));
-    }
-    // The size belongs to the picture, which may have been fitted to the screen meanwhile.
-    let size = model.settings.size();
-    model.settings = settings.with(|s| (s.image.width, s.image.height) = size);
-    image::redo(model);
 }
