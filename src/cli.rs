@@ -2,6 +2,7 @@
 
 mod address;
 mod build_progress;
+mod changes;
 mod color;
 mod command_line;
 mod cost;

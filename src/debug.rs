@@ -8,6 +8,7 @@ pub mod convergence;
 pub mod crossings;
 pub mod cursor;
 pub mod drawing;
+pub mod edit;
 pub mod effects;
 pub mod extent;
 pub mod landmarks;

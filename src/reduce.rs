@@ -9,20 +9,17 @@
 mod ddmin;
 mod error;
 mod essence;
-mod kept;
-mod part;
 mod reduction;
 mod search;
 mod start;
 mod task;
 mod touched;
 mod trials;
-pub mod write;
 
+pub use crate::scene::kept::Kept;
+pub use crate::scene::part::{ScenePart, part};
 pub use ddmin::ddmin;
 pub use error::ReduceError;
 pub use essence::essence;
-pub use kept::Kept;
-pub use part::{ScenePart, part};
 pub use reduction::{Reduction, reduce};
 pub use task::{ReduceProgress, ReduceTask};

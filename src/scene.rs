@@ -11,15 +11,20 @@ pub mod effects;
 mod file_id;
 pub mod flat;
 pub mod gallery;
+pub mod kept;
 mod law;
 pub mod limits;
 mod load;
 mod object;
+pub mod part;
+pub mod patch;
 pub mod printable;
 pub mod read;
 pub mod settings;
+mod source;
 mod trace_command;
 pub mod warning;
+pub mod write;
 
 pub use crate::shading::{Effect, Effects};
 pub use bend::Bend;
@@ -29,15 +34,19 @@ pub use file_id::FileId;
 pub use gallery::builtin;
 pub use gallery::procedural::list as generated;
 pub use law::{BendEntry, Law};
-pub use load::{from_json, from_stdin, label, list, load, load_from_memory};
+pub use load::{
+    from_json, from_stdin, label, list, load, load_from_memory, source, source_in_memory,
+};
 pub use object::{Object, VertexData};
+pub use patch::Patch;
 pub use read::error::SceneError;
 pub use read::{error, file};
 pub use settings::{
     Adaptive, AreaLightSampling, Budget, Image, Pilot, PixelSampling, Recursion, Sampling,
     Settings, flags,
 };
-pub use trace_command::{trace_command, view_command};
+pub use source::{Edit, SceneSource};
+pub use trace_command::{changes, trace_command, view_command};
 pub use warning::{Warning, WarningCode};
 
 use crate::geometry::{Arithmetic, Hit, Shape};
@@ -78,6 +87,8 @@ pub struct Scene {
     pub warnings: Vec<Warning>,
     /// The files on disk that it was read from.
     pub files: Vec<FileId>,
+    /// Changes that were made to its file, as the values of `--change`.
+    pub changes: Vec<String>,
 }
 
 impl Scene {

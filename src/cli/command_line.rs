@@ -1,7 +1,7 @@
 //! Command lines that do the same again.
 
 use crate::scene::printable::shell_word;
-use crate::scene::{Scene, Settings, flags};
+use crate::scene::{Scene, Settings, changes, flags};
 
 /// The scene and the settings as words of a command line. The accelerator is left out: it changes no result.
 pub fn words(scene_arg: &str, settings: &Settings, scene: &Scene) -> String {
@@ -12,5 +12,5 @@ pub fn words(scene_arg: &str, settings: &Settings, scene: &Scene) -> String {
             line.extend([" --", flag, " ", &value]);
         }
     }
-    line
+    line + &changes(scene)
 }

@@ -4,6 +4,7 @@ use std::str::FromStr as _;
 
 use clap::{Args, ValueEnum};
 
+use super::changes::ChangeArgs;
 use super::notices::Notices;
 use super::output::to_stdout;
 use super::settings::{SceneArgs, SettingsArgs};
@@ -29,6 +30,8 @@ pub struct Diff {
     /// What is compared with it: a file of ray trees, - for standard input, or SCENE@X,Y
     #[arg(value_name = "B")]
     b: String,
+    #[command(flatten)]
+    changes: ChangeArgs,
     #[command(flatten)]
     notices: Notices,
     /// Quantities to compare, with commas between; without, all that B tells
@@ -103,6 +106,7 @@ impl Diff {
     fn traced(&self, scene: &str) -> Result<(World, Settings), Failure> {
         let args = SceneArgs {
             scene: scene.to_owned(),
+            changes: self.changes.clone(),
             notices: self.notices,
             settings: self.settings.clone(),
         };

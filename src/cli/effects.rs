@@ -3,6 +3,7 @@
 use clap::Args;
 use serde_json::json;
 
+use super::changes::ChangeArgs;
 use super::notices::Notices;
 use super::settings::{SceneArgs, SettingsArgs};
 use super::{Completion, Failure, output};
@@ -20,6 +21,8 @@ pub struct Effects {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    changes: ChangeArgs,
+    #[command(flatten)]
     notices: Notices,
 }
 
@@ -27,6 +30,7 @@ impl Effects {
     pub fn run(&self) -> Result<Completion, Failure> {
         let scene = SceneArgs {
             scene: self.scene.clone(),
+            changes: self.changes.clone(),
             notices: self.notices,
             settings: SettingsArgs::default(),
         };

@@ -2,6 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
+use super::changes::ChangeArgs;
 use super::notices::Notices;
 use super::settings::{SceneArgs, SettingsArgs};
 use super::{Completion, Failure, output};
@@ -64,6 +65,7 @@ impl Scenes {
     fn print_flat(&self, scene: &str, form: FlatForm) -> Result<Completion, Failure> {
         let args = SceneArgs {
             scene: scene.to_owned(),
+            changes: ChangeArgs::default(),
             notices: self.notices,
             settings: SettingsArgs::default(),
         };

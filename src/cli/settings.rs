@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _, 
 use clap::error::Error;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 
+use super::changes::ChangeArgs;
 use super::notices::Notices;
 use super::{Failure, build_progress};
 use crate::accel::{AccelKind, fastest};
@@ -14,7 +15,7 @@ use crate::scene::effects::effects;
 use crate::scene::limits::MAX_THREADS;
 use crate::scene::settings::knob::{Kind, Knob, Value, Word, parse_whole};
 use crate::scene::settings::knobs::knobs;
-use crate::scene::{Scene, Settings, from_stdin, label, load};
+use crate::scene::{Patch, Scene, SceneSource, Settings, label, source};
 use crate::world::{World, checks};
 
 /// What decides on the accelerator if the user does not.
@@ -32,9 +33,20 @@ pub struct SceneArgs {
     /// A built-in scene, a .json scene file, an .obj file, or - for a scene file on standard input
     pub scene: String,
     #[command(flatten)]
+    pub changes: ChangeArgs,
+    #[command(flatten)]
     pub notices: Notices,
     #[command(flatten)]
     pub settings: SettingsArgs,
+}
+
+/// A scene that was read.
+pub struct ReadScene {
+    pub scene: Scene,
+    /// Where it comes from.
+    pub source: SceneSource,
+    /// What was changed of it.
+    pub patch: Patch,
 }
 
 /// The knobs that are given, and the number of threads.
@@ -163,12 +175,24 @@ fn parser(knob: &Knob) -> ValueParser {
 impl SceneArgs {
     /// Reads the scene and tells its warnings.
     pub fn read(&self) -> Result<Scene, Failure> {
-        let scene = match self.scene.as_str() {
-            "-" => from_stdin()?,
-            name => load(name)?,
+        self.read_source().map(|read| read.scene)
+    }
+
+    /// Reads the scene with its changes, tells its warnings, and keeps where it comes from.
+    pub fn read_source(&self) -> Result<ReadScene, Failure> {
+        let (edits, file) = self.changes.edits()?;
+        let source = match self.scene.as_str() {
+            "-" => SceneSource::stdin()?,
+            name => source(name)?,
         };
+        let (mut scene, patch) = source.changed(&edits)?;
+        scene.files.extend(file);
         self.notices.tell(&scene.warnings);
-        Ok(scene)
+        Ok(ReadScene {
+            scene,
+            source,
+            patch,
+        })
     }
 
     /// Name of the scene in messages.

@@ -2,12 +2,14 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 
 use super::address::{self, addressed};
+use super::changes::ChangeArgs;
 use super::notices::Notices;
-use super::settings::{SceneArgs, SettingsArgs, check};
+use super::settings::{ReadScene, SceneArgs, SettingsArgs, check};
 use super::{ColorArg, Completion, Failure};
 use crate::accel::clearest;
 use crate::debug::marks::{MAX_MARKS_BYTES, Marks};
@@ -39,7 +41,12 @@ pub struct View {
 impl View {
     pub fn run(&self) -> Result<Completion, Failure> {
         let (args, at) = addressed(&self.scene, self.at.as_ref())?;
-        let (world, settings) = args.build(args.read()?, clearest)?;
+        let ReadScene {
+            scene,
+            source,
+            patch,
+        } = args.read_source()?;
+        let (world, settings) = args.build(scene, clearest)?;
         if let Some(at) = at.as_ref().filter(|_| args.settings.size().is_some()) {
             check::inside(&settings, at.pixel)?;
         }
@@ -55,6 +62,8 @@ impl View {
         }
         let options = Options {
             scene: args.scene.clone(),
+            source: Arc::new(source),
+            patch,
             color: self.color.level(),
             mouse: !self.no_mouse,
             threads: args.settings.threads,
@@ -88,6 +97,7 @@ impl Default for View {
         Self {
             scene: SceneArgs {
                 scene: DEFAULT_SCENE.to_owned(),
+                changes: ChangeArgs::default(),
                 notices: Notices::default(),
                 settings: SettingsArgs::default(),
             },

@@ -12,6 +12,7 @@ use super::step_tree::StepTree;
 use crate::geometry::Aabb;
 use crate::scene::Settings;
 use crate::trace::address::{Address, AddressPart, node_at};
+use crate::trace::facts::TreePath;
 use crate::trace::{PixelTrace, RayTree, View, trace_pixel};
 use crate::world::World;
 
@@ -167,6 +168,20 @@ impl Session {
             _ => self.go(Cursor::at_node(self.tree(), node)),
         }
         Ok(())
+    }
+
+    /// Goes to a ray, or to the nearest of those that lead to it and are there; false if the ray itself is not.
+    pub fn go_to_nearest(&mut self, path: &TreePath) -> bool {
+        let mut near = path.clone();
+        loop {
+            if let Ok(node) = node_at(self.view(), &near) {
+                self.go(Cursor::at_node(self.tree(), node));
+                return near == *path;
+            }
+            if near.steps.pop().is_none() {
+                return false;
+            }
+        }
     }
 
     /// Goes to a row of the tree.

@@ -3,10 +3,10 @@
 use std::fmt;
 
 use super::error::ReduceError;
-use super::kept::Kept;
 use super::search::Search;
 use super::task::ReduceTask;
-use super::write::scene_file;
+use crate::scene::kept::Kept;
+use crate::scene::write::scene_file;
 use crate::scene::{Scene, flags, from_json};
 use crate::tracer::thread_pool;
 

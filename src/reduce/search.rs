@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 
 use super::ddmin::ddmin;
 use super::error::ReduceError;
-use super::kept::Kept;
 use super::task::ReduceTask;
 use super::trials::Trials;
+use crate::scene::kept::Kept;
 use crate::scene::{Scene, flat};
 
 /// Search for the smallest part.

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use super::error::ReduceError;
-use super::kept::Kept;
 use super::search::Search;
+use crate::scene::kept::Kept;
 
 /// Shapes that are tried as helpers, of those that were tested and of all.
 const HELPERS: usize = 64;

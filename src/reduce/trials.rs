@@ -5,10 +5,10 @@ use std::ops::ControlFlow;
 
 use super::error::ReduceError;
 use super::essence::essence;
-use super::kept::Kept;
-use super::part::{ScenePart, part};
 use super::task::{ReduceProgress, ReduceTask};
 use super::touched::Touched;
+use crate::scene::kept::Kept;
+use crate::scene::part::{ScenePart, part};
 use crate::scene::settings::knobs::knobs;
 use crate::scene::{Scene, Settings};
 use crate::trace::{PixelTrace, View, document, trace_pixel_here};

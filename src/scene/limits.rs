@@ -5,6 +5,12 @@
 pub const MAX_FILE_BYTES: u64 = 256 << 20;
 /// Bytes of all files of a scene together; a file that is used twice counts twice.
 pub const MAX_SCENE_BYTES: u64 = 512 << 20;
+/// Bytes of a scene file that can be changed without writing it: all of it becomes JSON values, twice.
+pub const MAX_CHANGED_BYTES: usize = 64 << 20;
+/// Shapes of a scene that is no scene file and can be changed all the same: all of it is written as one.
+pub const MAX_CHANGED_SHAPES: usize = 200_000;
+/// Bytes of all changes together.
+pub const MAX_PATCH_BYTES: usize = 64 << 10;
 /// Triangles and other shapes of a scene.
 pub const MAX_PRIMITIVES: usize = 2_000_000;
 /// Lights of a scene: each costs a shadow ray at every hit.
@@ -157,8 +163,31 @@ pub fn table() -> Vec<[String; 3]> {
         ),
         ("warnings of a scene", MAX_WARNINGS.to_string(), COUNTED),
     ];
+    let rows = rows.into_iter().chain(of_changes());
     rows.map(|(what, most, beyond)| [what.to_string(), most, beyond.to_string()])
-        .to_vec()
+        .collect()
+}
+
+/// The limits of `--patch`, `--change` and the debugger's changes of a scene.
+fn of_changes() -> [(&'static str, String, &'static str); 3] {
+    let refused = "refused";
+    [
+        (
+            "a scene file that is changed without writing it",
+            format!("{} MiB", MAX_CHANGED_BYTES >> 20),
+            refused,
+        ),
+        (
+            "shapes of a model or a computed scene that is changed so",
+            MAX_CHANGED_SHAPES.to_string(),
+            refused,
+        ),
+        (
+            "all changes of a scene together",
+            format!("{} KiB", MAX_PATCH_BYTES >> 10),
+            refused,
+        ),
+    ]
 }
 
 /// Why a picture of `width` x `height` pixels cannot be made; `None` if it can.

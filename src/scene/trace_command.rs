@@ -26,5 +26,11 @@ fn command(verb: &str, name: &str, (scene, settings): (&Scene, &Settings), what:
     for (flag, value) in flags(settings, scene) {
         command.extend([" --", flag, " ", &value]);
     }
-    command
+    command + &changes(scene)
+}
+
+/// The flags that change a scene as this one was changed.
+pub fn changes(scene: &Scene) -> String {
+    let flag = |change: &String| format!(" --change {}", shell_word(change));
+    scene.changes.iter().map(flag).collect()
 }

@@ -15,6 +15,6 @@ pub mod state;
 pub use action::{Action, Context};
 pub use layout::{Pane, Panes, inside};
 pub use message::{Job, JobOutput, Message, Mouse};
-pub use motion::{Play, PlayUnit, Running};
+pub use motion::{LogRun, Play, PlayUnit};
 pub use options::Options;
-pub use state::{Model, Overlay, Prompt, Request};
+pub use state::{Model, Overlay, PendingChange, Prompt, Request};

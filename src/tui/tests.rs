@@ -4,6 +4,7 @@ mod address;
 mod bundle;
 mod color;
 mod convergence;
+mod edit;
 mod effects;
 mod huge;
 mod keys;

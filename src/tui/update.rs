@@ -4,6 +4,7 @@ mod action;
 mod compare;
 mod convergence;
 mod dispatch;
+mod edit;
 mod effects;
 mod history;
 mod image;
@@ -19,5 +20,6 @@ mod rows;
 mod run;
 mod search;
 mod set;
+mod undo;
 
 pub use dispatch::{start, update};

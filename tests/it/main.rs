@@ -16,6 +16,7 @@ mod area_lights;
 mod arithmetic;
 mod bad_scenes;
 mod bsp_sah;
+mod changes;
 mod claimed_errors;
 mod cli;
 mod cost;

@@ -6,11 +6,12 @@ mod stories;
 mod typed_at_random;
 
 use std::io::{Read, Write};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
-use raytree::scene::{VertexData, load};
+use raytree::scene::{Patch, VertexData, load, source};
 use raytree::tracer::image::ColorLevel;
 use raytree::tui::{Options, run};
 use raytree::world::World;
@@ -320,6 +321,8 @@ fn broken_world() {
     }
     let options = Options {
         scene: "broken".to_owned(),
+        source: Arc::new(source("whitted").expect("a built-in scene")),
+        patch: Patch::default(),
         color: ColorLevel::True,
         mouse: true,
         threads: 1,

@@ -29,6 +29,7 @@ impl SceneBuilder {
             settings,
             warnings: Vec::new(),
             files: Vec::new(),
+            changes: Vec::new(),
         };
         Self { scene }
     }

@@ -27,6 +27,18 @@ pub fn names() -> impl Iterator<Item = &'static str> {
         .chain(KINDS.iter().map(|kind| kind.name))
 }
 
+/// Whether `spec` names one of these scenes, with whatever size.
+pub fn is_named(spec: &str) -> bool {
+    [lecture::NAME, slanted::NAME].contains(&spec) || kind(spec).is_some()
+}
+
+fn kind(spec: &str) -> Option<&'static Kind> {
+    KINDS.iter().find(|kind| {
+        let rest = spec.strip_prefix(kind.name);
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(':'))
+    })
+}
+
 /// The scene that `spec` names; `None` if it names none of these. It is an error if the size is no number or too
 /// large.
 pub fn load(spec: &str) -> Option<Result<Scene, SceneError>> {
@@ -36,10 +48,7 @@ pub fn load(spec: &str) -> Option<Result<Scene, SceneError>> {
     if spec == slanted::NAME {
         return slanted::scene().map(Ok);
     }
-    let kind = KINDS.iter().find(|kind| {
-        let rest = spec.strip_prefix(kind.name);
-        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(':'))
-    })?;
+    let kind = kind(spec)?;
     let size = spec[kind.name.len()..].strip_prefix(':');
     let scene = size
         .map_or(Ok(kind.size), |text| parse(kind, text))

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::{Read, StdinLock};
 use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
 use super::error::Problem;
 use super::text::{Decoded, decoded};
@@ -14,7 +15,7 @@ use crate::scene::FileId;
 use crate::scene::limits::{MAX_FILE_BYTES, MAX_SCENE_BYTES};
 
 /// The files of one scene.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Files {
     folder: Folder,
     /// Bytes read so far.
@@ -25,14 +26,14 @@ pub struct Files {
 }
 
 /// Where paths in a scene file start.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum Folder {
     /// Inside the program: the text of a file by its name.
     Embedded(fn(&str) -> Option<&'static str>),
     /// On disk.
     Disk(PathBuf),
     /// In memory.
-    Memory(BTreeMap<String, Vec<u8>>),
+    Memory(Arc<BTreeMap<String, Vec<u8>>>),
 }
 
 impl Files {
@@ -54,7 +55,7 @@ impl Files {
 
     /// Files in memory, path and bytes of each.
     pub fn in_memory(files: BTreeMap<String, Vec<u8>>) -> Self {
-        Self::new(Folder::Memory(files))
+        Self::new(Folder::Memory(Arc::new(files)))
     }
 
     fn new(folder: Folder) -> Self {
@@ -79,6 +80,15 @@ impl Files {
     /// BLAKE3 hash of all that was read so far: 64 hexadecimal digits.
     pub fn hash(&self) -> String {
         self.hash.finalize().to_string()
+    }
+
+    /// These files, of a scene whose own file has another text.
+    #[must_use]
+    pub fn of_other_text(&self, text: &str) -> Self {
+        let mut files = self.clone();
+        files.hash = blake3::Hasher::new();
+        files.take(text.as_bytes());
+        files
     }
 
     /// Takes the bytes of a file into the hash.

@@ -11,7 +11,7 @@ use crate::scene::limits::MAX_NAME_BYTES;
 use crate::trace::facts::{Fact, FactName, sorted};
 
 /// The fields of a ray, in the order in which this program writes them.
-pub const RAY_FIELDS: [&str; 25] = [
+pub const RAY_FIELDS: [&str; 26] = [
     "id",
     "parent",
     "kind",

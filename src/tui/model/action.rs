@@ -49,7 +49,7 @@ pub enum Action {
     Neighbour(i32, i32),
     /// Ask for an event or an address to go to.
     GoTo,
-    /// Ask for a setting to change.
+    /// Ask for a setting or a number of the scene to change.
     Set,
     /// Show the samples of the pixel as a table.
     Samples,
@@ -65,8 +65,12 @@ pub enum Action {
     NextMark,
     /// Ask for a file to write the marks into.
     WriteMarks,
-    /// Take the last change of a setting back.
+    /// Take the last change back.
     Undo,
+    /// Show what is changed.
+    Changes,
+    /// Ask for a file to write the changes of the scene into.
+    WritePatch,
     /// Ask for a query to search for.
     Search,
     /// To the next (previous, if false) pixel or ray that satisfies the query.

@@ -1,7 +1,8 @@
 //! Texts to begin with, where one is typed.
 
 use super::state::Prompt;
-use crate::debug::{breaks, search};
+use crate::debug::{breaks, edit, search};
+use crate::scene::Scene;
 
 /// Settings to begin with.
 const SETTINGS: [&str; 7] = [
@@ -24,13 +25,25 @@ const COMPARISONS: [&str; 6] = [
     "depth=1",
 ];
 
-/// Those of a prompt.
-pub fn examples(prompt: Prompt) -> &'static [&'static str] {
-    match prompt {
+/// Those of a prompt: for changes first the values of the scene as they are.
+pub fn examples(prompt: Prompt, scene: &Scene) -> Vec<String> {
+    let texts: &[&str] = match prompt {
         Prompt::Search => &search::READY,
         Prompt::Compare => &COMPARISONS,
         Prompt::Set => &SETTINGS,
         Prompt::Break => &breaks::READY,
-        Prompt::GoTo | Prompt::Note | Prompt::Write => &[],
-    }
+        Prompt::GoTo | Prompt::Note | Prompt::Write | Prompt::WritePatch => &[],
+    };
+    let of_scene = match prompt {
+        Prompt::Set => edit::examples(scene),
+        _ => Vec::new(),
+    };
+    let texts = texts.iter().map(ToString::to_string);
+    of_scene.into_iter().chain(texts).collect()
+}
+
+/// True if a prompt has any.
+pub fn has_any(prompt: Prompt) -> bool {
+    use Prompt::{Break, Compare, Search, Set};
+    matches!(prompt, Search | Compare | Set | Break)
 }

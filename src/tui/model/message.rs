@@ -8,6 +8,7 @@ use ratatui::layout::{Position, Rect};
 #[cfg(test)]
 use super::action::Action;
 use crate::debug::Session;
+use crate::debug::edit::EditedWorld;
 use crate::debug::progressive::Pixels;
 use crate::tracer::Pixel;
 
@@ -58,6 +59,10 @@ pub enum Job {
     Search,
     /// No more search.
     CancelSearch,
+    /// Read the scene with the changes that are asked for, and build it.
+    Change,
+    /// Change nothing.
+    CancelChange,
 }
 
 /// A result of a job.
@@ -76,4 +81,6 @@ pub enum JobOutput {
     Found(Vec<(u32, u32)>, u64),
     /// The whole picture was searched.
     Searched,
+    /// The scene was changed, or cannot be.
+    Changed(Result<Box<EditedWorld>, String>),
 }

@@ -17,7 +17,7 @@ pub struct Play {
 
 /// A run through the log to the next break point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Running {
+pub struct LogRun {
     /// Whether forwards, or backwards.
     pub forward: bool,
     /// The event that it came to.

@@ -1,16 +1,22 @@
 //! Options of the command line for the debugger.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use crate::debug::marks::Marks;
+use crate::scene::{Patch, SceneSource};
 use crate::trace::Address;
 use crate::tracer::image::ColorLevel;
 
 /// What the command line chooses.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Options {
     /// The scene as the user named it, for the command line that traces a pixel again.
     pub scene: String,
+    /// Where it comes from.
+    pub source: Arc<SceneSource>,
+    /// What was changed of it.
+    pub patch: Patch,
     /// How many colours the terminal has.
     pub color: ColorLevel,
     /// Whether the mouse picks pixels and scrolls; if not, the terminal selects text with it.

@@ -9,7 +9,7 @@ use super::action::Context;
 use super::layout::{Pane, Panes, Shown, inside};
 use super::list::PlaceList;
 use super::message::Job;
-use super::motion::{History, Play, PlayUnit, Running};
+use super::motion::{History, LogRun, Play, PlayUnit};
 use super::options::Options;
 use super::placement::Placement;
 use crate::debug::breaks::BreakPoint;
@@ -19,7 +19,7 @@ use crate::debug::{
 };
 use crate::lab::show::ShowMode;
 use crate::scene::effects::{Finding, findings};
-use crate::scene::{Settings, Warning, view_command};
+use crate::scene::{Edit, Patch, Settings, Warning, view_command};
 use crate::trace::Address;
 use crate::trace::address::{AddressPart, path_of};
 use crate::trace::facts::TreePath;
@@ -49,7 +49,7 @@ pub enum Prompt {
     GoTo,
     /// To search for a query.
     Search,
-    /// To change a setting.
+    /// To change a setting or a number of the scene.
     Set,
     /// To compare the open tree with another one.
     Compare,
@@ -59,6 +59,19 @@ pub enum Prompt {
     Write,
     /// To set a break point, or to take it away.
     Break,
+    /// To write the changes of the scene into a file.
+    WritePatch,
+}
+
+/// A change of the scene that is being made.
+#[derive(Clone, Debug)]
+pub struct PendingChange {
+    /// Since when.
+    pub since: Instant,
+    /// All changes, from the scene as it was read.
+    pub edits: Vec<Edit>,
+    /// The text that was typed; none if a change is taken back.
+    pub typed: Option<String>,
 }
 
 /// What the debugger asks of the program around it.
@@ -119,7 +132,7 @@ pub struct Model {
     /// Where a run through the log stops.
     pub breaks: Vec<BreakPoint>,
     /// A run that takes long.
-    pub running: Option<Running>,
+    pub running: Option<LogRun>,
     /// Places that were left by jumps.
     pub history: History,
     /// The query that is searched for.
@@ -130,8 +143,14 @@ pub struct Model {
     pub layout: LayoutState,
     /// One sentence for the user, until the next key.
     pub message: Option<String>,
-    /// The settings before each change, the last one at the end.
-    pub undone: Vec<Settings>,
+    /// What is changed of the scene.
+    pub patch: Patch,
+    /// The change that is being made.
+    pub changing: Option<PendingChange>,
+    /// The settings, and the changes of the scene, before each change, the last one at the end.
+    pub undone: Vec<(Settings, Patch)>,
+    /// The ray to go to when the pixel is traced again.
+    pub again: Option<TreePath>,
     /// Marked places, and the number of the one that was shown last.
     pub marks: Marks,
     pub marked: usize,
@@ -158,6 +177,7 @@ impl Model {
             world: Arc::new(world),
             settings,
             mouse: options.mouse,
+            patch: options.patch.clone(),
             options,
             picture: PartialPicture::default(),
             show: None,
@@ -172,7 +192,9 @@ impl Model {
             history: History::default(),
             search: None,
             overlay: None,
+            changing: None,
             undone: Vec::new(),
+            again: None,
             marks,
             marked: 0,
             unsaved: false,

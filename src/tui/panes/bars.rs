@@ -9,7 +9,7 @@ use super::text::{columns, shortened, write};
 use super::theme;
 use crate::debug::effects::deviations;
 use crate::lab::show::{ShowMode, ShownRange, ShownValue, scale};
-use crate::scene::trace_command;
+use crate::scene::{Scene, trace_command};
 use crate::trace::format::{counted, num};
 use crate::tui::model::Model;
 
@@ -28,6 +28,7 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         let (count, share) = (trace.pixel.cuts.count(), 100.0 * trace.pixel.cut_share());
         line.push_span(format!("{count} cut ({share:.1} %)  "));
     }
+    remark(&mut line, changed(&session.world.scene));
     remark(&mut line, deviations(&session.settings, &model.findings));
     line.push_span(theme::swatch(
         trace.pixel.color * session.settings.image.exposure,
@@ -57,6 +58,7 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
     let mut linear = String::new();
     let mut line = Line::from(Span::raw(format!(" ({x}, {y}) ")).bold());
     warned(&mut line, model);
+    remark(&mut line, changed(&model.world.scene));
     remark(&mut line, deviations(&model.settings, &model.findings));
     if let Some(search) = &model.search {
         line.push_span(Span::raw(format!("{}  ", search.told((x, y)))).bold());
@@ -136,6 +138,15 @@ fn remark(line: &mut Line, deviations: Option<String>) {
     }
 }
 
+/// How many numbers of the scene are changed, and how to see them.
+fn changed(scene: &Scene) -> Option<String> {
+    match scene.changes.len() {
+        0 => None,
+        1 => Some("1 change: press C".to_owned()),
+        n => Some(format!("{n} changes: press C")),
+    }
+}
+
 fn short(x: f64) -> String {
     let text = format!("{x:.4}");
     if x.abs() < 1000.0 { text } else { num(x) }
@@ -143,11 +154,16 @@ fn short(x: f64) -> String {
 
 /// What the background is doing.
 fn busy(model: &Model) -> String {
-    if let Some(since) = model.waiting {
-        let waited = since.elapsed().as_millis();
+    let changing = model.changing.as_ref().map(|change| change.since);
+    let jobs = [
+        (changing, "changing the scene"),
+        (model.waiting, "tracing the pixel"),
+    ];
+    for (since, what) in jobs {
+        let waited = since.map_or(0, |since| since.elapsed().as_millis());
         if waited >= PATIENCE {
             let turn = ["-", "\\", "|", "/"][(waited / 100 % 4) as usize];
-            return format!("  {turn} tracing the pixel (Esc gives up)");
+            return format!("  {turn} {what} (Esc gives up)");
         }
     }
     let progress = model.picture.progress();

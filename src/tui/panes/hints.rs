@@ -9,7 +9,7 @@ use ratatui::widgets::{Clear, Widget as _};
 use super::text::{columns, wrap, write};
 use super::theme;
 use crate::tui::model::bindings::ACTIONS;
-use crate::tui::model::examples::examples;
+use crate::tui::model::examples::has_any;
 use crate::tui::model::{Context, Model, Overlay, Panes, Prompt};
 
 /// What stands at the end of the hints if there are more.
@@ -24,8 +24,9 @@ fn label(model: &Model, prompt: Prompt) -> String {
             format!("event (0 to {last}) or address")
         }
         (Prompt::GoTo, None) => "pixel or address".to_owned(),
-        (Prompt::Set, _) => "set (flag=value)".to_owned(),
+        (Prompt::Set, _) => "set (flag=value or kind.name.field=value)".to_owned(),
         (Prompt::Note, _) => "note".to_owned(),
+        (Prompt::WritePatch, _) => "new file for the patch".to_owned(),
         (Prompt::Write, _) => "new file for the marks".to_owned(),
         (Prompt::Break, _) => "break at".to_owned(),
         (Prompt::Compare, _) => "compare with X,Y, flag=value or a file".to_owned(),
@@ -88,7 +89,7 @@ pub fn hint(model: &Model, area: Rect, buffer: &mut Buffer) {
         let told = model.message.as_ref().filter(|m| fits(m, area));
         let room = width.saturating_sub(told.map_or(0, |m| columns(m) + 2));
         line.push_span(Span::raw(asked(model, *prompt, text, room)).bold());
-        has_examples = !examples(*prompt).is_empty();
+        has_examples = has_any(*prompt);
     }
     if let Some(message) = model.message.as_ref().filter(|m| fits(m, area)) {
         line.push_span(Span::raw(format!(" {message} ")).bold());

@@ -85,7 +85,8 @@ fn main_loop(screen: &mut Screen, program: &mut Program) -> io::Result<()> {
             changed |= program.model.running.is_some();
             changed |= program.model.session.as_ref().map(|s| s.cursor()) != before;
         }
-        changed |= program.receive() | program.model.waiting.is_some();
+        let is_waiting = program.model.waiting.is_some() || program.model.changing.is_some();
+        changed |= program.receive() | is_waiting;
         if answer && program.model.request != Request::Quit {
             draw(screen, program)?;
             (drawn, changed) = (Some(Instant::now()), false);

@@ -39,27 +39,33 @@ impl Program {
         known
     }
 
-    /// Starts what the update asked for. Most pixels are traced at once, so that keys typed ahead mean what they should;
-    /// for others a spinner turns.
+    /// Starts what the update asked for. Most pixels are traced at once, and most scenes changed, so that keys typed ahead mean what
+    /// they should; for others a spinner turns.
     fn start_jobs(&mut self) {
         let asked = Instant::now();
-        let jobs = std::mem::take(&mut self.model.jobs);
-        for job in &jobs {
-            self.worker.start(*job, &self.model);
-        }
-        while jobs.contains(&Job::Trace) && self.worker.is_tracing() && asked.elapsed() < AT_ONCE {
+        let is_quick = |job: &Job| matches!(job, Job::Trace | Job::Change);
+        let waits = self.model.jobs.iter().any(is_quick);
+        self.launch();
+        while waits && self.worker.is_quick() && asked.elapsed() < AT_ONCE {
             if !self.receive() {
                 std::thread::sleep(Duration::from_millis(1));
             }
         }
     }
 
-    /// Takes in what the worker has done by now. True if there was anything.
+    fn launch(&mut self) {
+        for job in std::mem::take(&mut self.model.jobs) {
+            self.worker.start(job, &self.model);
+        }
+    }
+
+    /// Takes in what the worker has done by now, and starts what that asks for. True if there was anything.
     pub fn receive(&mut self) -> bool {
         let mut any = false;
         while let Some(output) = self.worker.output() {
             any = true;
             update(&mut self.model, Message::Output(output));
+            self.launch();
         }
         any
     }

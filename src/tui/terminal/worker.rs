@@ -7,8 +7,10 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 
 use crate::debug::convergence::measure;
+use crate::debug::edit::{edited, in_one_line};
 use crate::debug::{Session, progressive};
 use crate::lab::find::find;
+use crate::scene::label as label_of;
 use crate::tracer::thread_pool;
 use crate::tui::model::{Job, JobOutput, Model};
 
@@ -51,6 +53,7 @@ pub struct Worker {
     trace: Option<Running>,
     convergence: Option<Running>,
     search: Option<Running>,
+    change: Option<Running>,
 }
 
 impl Worker {
@@ -66,6 +69,7 @@ impl Worker {
             trace: None,
             convergence: None,
             search: None,
+            change: None,
         }
     }
 
@@ -79,6 +83,8 @@ impl Worker {
             Job::CancelConverge => self.convergence = None,
             Job::Search => self.search = self.search(model),
             Job::CancelSearch => self.search = None,
+            Job::Change => self.change = self.change(model),
+            Job::CancelChange => self.change = None,
         }
     }
 
@@ -164,16 +170,37 @@ impl Worker {
         Some(running)
     }
 
-    /// True while any job runs.
-    pub fn is_working(&self) -> bool {
-        [&self.picture, &self.trace, &self.convergence, &self.search]
-            .into_iter()
-            .any(Option::is_some)
+    /// Reads the scene with the changes that are asked for, and builds it.
+    fn change(&mut self, model: &Model) -> Option<Running> {
+        let edits = model.changing.as_ref()?.edits.clone();
+        let source = Arc::clone(&model.options.source);
+        let (settings, label) = (model.settings, model.options.scene.clone());
+        let threads = self.threads;
+        Some(self.spawn(move |channel| {
+            let label = label_of(&label);
+            let make = || edited(&source, &edits, &settings, label);
+            let changed = thread_pool::install(threads, make);
+            let changed = changed.map(Box::new).map_err(|e| in_one_line(&e));
+            channel.send(JobOutput::Changed(changed));
+        }))
     }
 
-    /// True while a pixel is traced.
-    pub fn is_tracing(&self) -> bool {
-        self.trace.is_some()
+    /// True while any job runs.
+    pub fn is_working(&self) -> bool {
+        [
+            &self.picture,
+            &self.trace,
+            &self.convergence,
+            &self.search,
+            &self.change,
+        ]
+        .into_iter()
+        .any(Option::is_some)
+    }
+
+    /// True while the scene is changed or a pixel is traced, which most often takes no time.
+    pub fn is_quick(&self) -> bool {
+        self.change.is_some() || self.trace.is_some()
     }
 
     /// The next result, if there is one by now.
@@ -188,6 +215,7 @@ impl Worker {
                 JobOutput::ConvergenceEnd(_) => (&mut self.convergence, true),
                 JobOutput::Found(..) => (&mut self.search, false),
                 JobOutput::Searched => (&mut self.search, true),
+                JobOutput::Changed(_) => (&mut self.change, true),
             };
             if job.as_ref().is_some_and(|job| job.ticket == ticket) {
                 if is_last {

@@ -32,7 +32,7 @@ const SIZES: [(u16, u16); 10] = [
     (200, 20),
 ];
 
-const TEXTS: [&str; 9] = [
+const TEXTS: [&str; 14] = [
     "tir\n",
     "samples=2\n",
     "depth=1\n",
@@ -42,7 +42,24 @@ const TEXTS: [&str; 9] = [
     "hits:",
     "99999\n",
     "/R\n",
+    "material.glass.ior=1.3\n",
+    "material.mirror.mirror*=0.5\n",
+    "light.sun.intensity=[1,0.5,0]\n",
+    "object.glass sphere.center[1]+=0.1\n",
+    "camera.eye=[0,1,5]\n",
 ];
+
+/// Types a change of the scene, and takes it.
+fn change(app: &mut Program, choice: usize) {
+    for _ in 0..2 {
+        app.press(KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
+    }
+    let text = TEXTS[TEXTS.len() - 5 + choice % 5];
+    for letter in "=".chars().chain(text.trim_end().chars()) {
+        app.press(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::NONE));
+    }
+    app.press(KeyEvent::new(KeyCode::Enter, KeyModifiers::NONE));
+}
 
 /// Does something that the number chooses.
 fn input(app: &mut Program, dice: u64) {
@@ -71,6 +88,7 @@ fn input(app: &mut Program, dice: u64) {
                 );
             }
         }
+        4 => change(app, choice),
         3 => {
             press(app, KeyCode::Char(char::from(32 + choice as u8 % 95)));
         }
@@ -96,7 +114,8 @@ fn no_keys_in_any_order_break_it() {
         options.folder = folder.path().to_owned();
     });
     settle(&mut app);
-    let start = app.model.settings;
+    let (start, hash) = (app.model.settings, app.model.world.scene.hash.clone());
+    let mut changed = 0;
     let mut state = 7;
     let (mut settled, mut drawn) = (0, 0);
     for _ in 0..inputs {
@@ -116,9 +135,12 @@ fn no_keys_in_any_order_break_it() {
         if dice.is_multiple_of(97) {
             settle(&mut app);
             settled += 1;
+            changed += u64::from(!app.model.patch.is_empty());
         }
     }
     assert!(drawn > inputs / 20 && settled > 3, "{drawn}, {settled}");
+    assert!(changed > 0, "the scene is changed, too");
+    settle(&mut app);
     // Back to the picture, and everything taken back.
     app.resize(Rect::new(0, 0, 60, 20));
     for _ in 0..12 {
@@ -135,4 +157,6 @@ fn no_keys_in_any_order_break_it() {
         s.effects = app.model.settings.effects;
     });
     assert_eq!(app.model.settings, kept);
+    assert_eq!(app.model.world.scene.hash, hash);
+    assert!(app.model.patch.is_empty() && app.model.world.scene.changes.is_empty());
 }

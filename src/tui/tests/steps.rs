@@ -3,19 +3,19 @@
 use crossterm::event::KeyCode;
 use ratatui::layout::{Position, Rect};
 
-use super::support::{buffer, key, keys, of_loaded, position, settle, text};
+use super::support::{buffer, key, keys, of_scene, position, settle, text};
 use crate::accel::AccelKind;
-use crate::scene::load;
 use crate::tui::model::{Mouse, Pane, inside};
 use crate::tui::terminal::program::Program;
 
 /// The debugger in the middle of a scene, at the first step of the eye ray, in the pane of the steps.
 fn at_steps(scene: &str, kind: AccelKind, (width, height): (u16, u16)) -> Program {
-    let mut read = load(scene).expect("a built-in scene");
-    read.settings.accel = kind;
-    read.settings = read.settings.with(|s| s.pixel.samples = 1);
-    let mut app = of_loaded(scene, read, (width, height), |_| ());
+    let mut app = of_scene(scene, width, height, |_| ());
     settle(&mut app);
+    for change in [format!("=accel={}", kind.name()), "=samples=1".to_owned()] {
+        keys(&mut app, &change);
+        key(&mut app, KeyCode::Enter);
+    }
     key(&mut app, KeyCode::Enter);
     keys(&mut app, "nn");
     key(&mut app, KeyCode::Tab);

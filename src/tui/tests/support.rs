@@ -1,6 +1,7 @@
 //! Helpers of the screen tests: a program in memory, keys in, screens out.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -9,7 +10,7 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
-use crate::scene::Scene;
+use crate::scene::{Patch, SceneSource};
 use crate::tracer::image::ColorLevel;
 use crate::tui::model::{Action, Message, Mouse, Options};
 use crate::tui::panes;
@@ -44,20 +45,23 @@ pub fn of_scene(
     height: u16,
     change: impl FnOnce(&mut Options),
 ) -> Program {
-    let read = crate::scene::load(scene).expect("a built-in scene");
-    of_loaded(scene, read, (width, height), change)
+    let source = crate::scene::source(scene).expect("a built-in scene");
+    of_source(scene, source, (width, height), change)
 }
 
-pub fn of_loaded(
+pub fn of_source(
     name: &str,
-    scene: Scene,
+    source: SceneSource,
     (width, height): (u16, u16),
     change: impl FnOnce(&mut Options),
 ) -> Program {
+    let scene = source.scene().expect("a scene");
     let settings = scene.settings;
     let world = World::new(scene, settings.accel);
     let mut options = Options {
         scene: name.to_owned(),
+        source: Arc::new(source),
+        patch: Patch::default(),
         color: ColorLevel::True,
         mouse: true,
         threads: 2,

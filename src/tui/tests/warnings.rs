@@ -2,8 +2,8 @@
 
 use crossterm::event::KeyCode;
 
-use super::support::{key, keys, of_loaded, of_scene, settle, text};
-use crate::scene::load_from_memory;
+use super::support::{key, keys, of_scene, of_source, settle, text};
+use crate::scene::source_in_memory;
 use crate::tui::terminal::program::Program;
 
 /// A scene of these objects, in glass or in red from 0 to 255, at 80x24.
@@ -15,8 +15,8 @@ fn with(objects: &str) -> Program {
 "objects": [{objects}]}}"#
     );
     let files = [("odd.json".to_owned(), file.into_bytes())];
-    let scene = load_from_memory("odd.json", files.into()).expect("a scene");
-    let mut app = of_loaded("odd.json", scene, (80, 24), |_| ());
+    let source = source_in_memory("odd.json", files.into()).expect("a scene");
+    let mut app = of_source("odd.json", source, (80, 24), |_| ());
     settle(&mut app);
     app
 }

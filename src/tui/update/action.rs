@@ -1,8 +1,8 @@
 //! Actions of the table of keys.
 
 use super::{
-    convergence, effects, history, image, marks, places, play, prompt, ranking, rows, run, search,
-    set,
+    convergence, edit, effects, history, image, marks, places, play, prompt, ranking, rows, run,
+    search, set,
 };
 use crate::tui::model::{Action, Job, Model, Overlay, Prompt, Request, inside};
 
@@ -57,7 +57,9 @@ pub fn act(model: &mut Model, action: Action) {
         Action::NextMark => marks::next(model),
         Action::WriteMarks => prompt::ask(model, Prompt::Write),
         Action::NextSeed => set::next_seed(model),
-        Action::Undo => set::undo(model),
+        Action::Undo => edit::undo(model),
+        Action::Changes => edit::show(model),
+        Action::WritePatch => prompt::ask(model, Prompt::WritePatch),
         Action::Ready(next) => prompt::ready(model, next),
         Action::Erase => prompt::erase(model),
         Action::Accept => prompt::accept(model),
@@ -128,6 +130,9 @@ fn in_log(model: &mut Model, action: Action) {
 /// Closes what lies on top; at the bottom, leaves.
 fn back(model: &mut Model) {
     if model.overlay.take().is_some() {
+        return;
+    }
+    if edit::give_up(model) {
         return;
     }
     if model.waiting.take().is_some() {

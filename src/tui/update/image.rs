@@ -63,12 +63,17 @@ pub fn moved(model: &mut Model) {
     look(model);
 }
 
-/// Renders everything anew: the settings are others. An open tree is traced again.
+/// Renders everything anew: the settings are others. An open tree is traced again, at the same ray.
 pub fn redo(model: &mut Model) {
     model.picture.forget();
     render(model);
     search_again(model);
     look(model);
+    if let Some(session) = &model.session {
+        let (x, y) = (session.trace.x, session.trace.y);
+        let is_here = model.picture.cursor == (x, y);
+        model.again = is_here.then(|| model.address().path);
+    }
     if model.session.is_some() || model.waiting.is_some() {
         open(model);
     }

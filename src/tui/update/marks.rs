@@ -2,6 +2,7 @@
 
 use std::fs::OpenOptions;
 use std::io::Write as _;
+use std::path::Path;
 
 use super::{history, image};
 use crate::debug::marks::Mark;
@@ -46,18 +47,19 @@ pub fn write(model: &mut Model, path: &str) -> Result<(), String> {
     if model.marks.marks.is_empty() {
         return Err("nothing is marked: M marks what is shown".to_owned());
     }
-    let file = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(model.options.folder.join(path));
-    let cannot = |error: std::io::Error| format!("cannot be written: {error}");
-    let mut file = file.map_err(cannot)?;
-    let json = model.marks.to_json();
-    file.write_all(json.as_bytes()).map_err(cannot)?;
+    write_new(&model.options.folder.join(path), &model.marks.to_json())?;
     let count = model.marks.marks.len();
     model.unsaved = false;
     model.message = Some(format!(
         "{count} marks are in {path}; raytree view --marks {path} opens them"
     ));
     Ok(())
+}
+
+/// Writes a text into a file that is not there yet.
+pub fn write_new(path: &Path, text: &str) -> Result<(), String> {
+    let file = OpenOptions::new().write(true).create_new(true).open(path);
+    let cannot = |error: std::io::Error| format!("cannot be written: {error}");
+    let mut file = file.map_err(cannot)?;
+    file.write_all(text.as_bytes()).map_err(cannot)
 }

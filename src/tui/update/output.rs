@@ -1,6 +1,6 @@
 //! Results of the worker.
 
-use super::search;
+use super::{edit, search};
 use crate::debug::progressive::DrawnPixel;
 use crate::lab::show::ShownValue;
 use crate::tui::model::{JobOutput, Model};
@@ -32,10 +32,17 @@ pub fn take_in(model: &mut Model, output: JobOutput) {
         }
         JobOutput::Found(pixels, searched) => search::found(model, &pixels, searched),
         JobOutput::Searched => search::finished(model),
+        JobOutput::Changed(changed) => edit::take_in(model, changed),
         JobOutput::Traced(mut session) => {
+            let again = model.again.take();
             if let Some(address) = model.options.at.take() {
                 if let Err(problem) = session.go_to_address(&address) {
                     model.message = Some(problem);
+                }
+            } else if let Some(path) = again {
+                if !session.go_to_nearest(&path) {
+                    let told = format!("there is no ray {path} any more: this is what led to it");
+                    model.message.get_or_insert(told);
                 }
             } else if let Some(search) = &model.search {
                 session.find_first(&search.query);

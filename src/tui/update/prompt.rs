@@ -1,6 +1,6 @@
 //! Prompt: a text that is typed, to go somewhere, to search, to change a setting, to compare.
 
-use super::{compare, history, image, marks, run, search, set};
+use super::{compare, edit, history, image, marks, run, search, set};
 use crate::tui::model::examples::examples;
 use crate::tui::model::{Model, Overlay, Prompt};
 
@@ -32,10 +32,10 @@ pub fn erase(model: &mut Model) {
 
 /// Puts the next (previous) ready text into the prompt.
 pub fn ready(model: &mut Model, next: bool) {
-    let Some(Overlay::Prompt(prompt, text)) = &mut model.overlay else {
+    let Some(Overlay::Prompt(prompt, text)) = &model.overlay else {
         return;
     };
-    let texts = examples(*prompt);
+    let (prompt, mut texts) = (*prompt, examples(*prompt, &model.world.scene));
     let count = texts.len();
     if count == 0 {
         return;
@@ -47,7 +47,7 @@ pub fn ready(model: &mut Model, next: bool) {
         (Some(at), true) => (at + 1) % count,
         (Some(at), false) => (at + count - 1) % count,
     };
-    texts[at].clone_into(text);
+    model.overlay = Some(Overlay::Prompt(prompt, texts.swap_remove(at)));
 }
 
 /// Takes the text. What cannot be meant is told, and the prompt stays.
@@ -62,6 +62,7 @@ pub fn accept(model: &mut Model) {
         }
         _ if text.trim().is_empty() => Ok(()),
         Prompt::Write => marks::write(model, text.trim()),
+        Prompt::WritePatch => edit::write(model, text.trim()),
         Prompt::Break => run::toggle(model, text.trim()),
         Prompt::GoTo => {
             history::leave(model);

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::history;
 use crate::debug::breaks::{self, BreakPoint};
-use crate::tui::model::{Model, Running};
+use crate::tui::model::{LogRun, Model};
 
 /// How long a key waits for a run; it goes on afterwards.
 const AT_ONCE: Duration = Duration::from_millis(8);
@@ -42,7 +42,7 @@ pub fn run(model: &mut Model, forward: bool) {
         return;
     }
     let from = session.cursor().position();
-    model.running = Some(Running { forward, from });
+    model.running = Some(LogRun { forward, from });
     go_on(model);
 }
 
@@ -52,10 +52,10 @@ pub fn go_on(model: &mut Model) {
         return;
     };
     let until = Instant::now() + AT_ONCE;
-    let Running { forward, from } = running;
+    let LogRun { forward, from } = running;
     match breaks::run(session, &model.breaks, from, forward, until) {
         breaks::Run::Paused(from) => {
-            model.running = Some(Running { forward, from });
+            model.running = Some(LogRun { forward, from });
             let all = session.tree().events.len();
             model.message = Some(format!("running: event {from} of {all}; any key stops"));
         }

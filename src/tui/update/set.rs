@@ -1,26 +1,27 @@
 //! Settings that change while the debugger runs: the picture and an open tree follow, and each change can be undone.
+//! What is typed may change the scene as well: see `edit.rs`.
 
-use std::sync::Arc;
-
-use super::image;
+use super::edit;
+use super::undo::{check_ready, remember, take};
 use crate::scene::Settings;
 use crate::scene::settings::knobs::set_knob;
 use crate::tui::model::Model;
-use crate::world::World;
-
-/// Changes that can be undone.
-const MOST_UNDONE: usize = 1000;
 
 /// Samples of a pixel or of a light at most, by keys.
 const MOST_SAMPLES: u32 = 4096;
 
-/// Takes a setting as `flag=value`, such as `samples=16`.
+/// Takes a setting as `flag=value`, such as `samples=16`, or a number of the scene by its path, such as `material.glass.ior=1.3`.
 pub fn typed(model: &mut Model, text: &str) -> Result<(), String> {
+    check_ready(model)?;
     let Some((flag, value)) = text.split_once('=') else {
         return Err(format!(
             "`{text}` sets nothing; write flag=value, such as samples=16"
         ));
     };
+    if is_path(flag) {
+        edit::start(model, text);
+        return Ok(());
+    }
     let (flag, value) = (flag.trim().trim_start_matches('-'), value.trim());
     if flag == "size" {
         return Err("the size of the picture stays; start again with --size".to_owned());
@@ -67,35 +68,20 @@ pub fn next_seed(model: &mut Model) {
     change(model, settings);
 }
 
-/// Takes the last change back.
-pub fn undo(model: &mut Model) {
-    match model.undone.pop() {
-        Some(settings) => {
-            take(model, settings);
-            model.message = Some("the last change is taken back".to_owned());
-        }
-        None => model.message = Some("nothing was changed".to_owned()),
-    }
+/// Whether it is a path into the scene: flags have neither dots nor brackets.
+fn is_path(text: &str) -> bool {
+    let word = text.trim_end_matches(['+', '*']).trim();
+    word.contains(['.', '[']) || ["background", "ambient"].contains(&word)
 }
 
 fn change(model: &mut Model, settings: Settings) {
     if settings == model.settings {
         return;
     }
-    if model.undone.len() >= MOST_UNDONE {
-        model.undone.remove(0);
+    if let Err(problem) = check_ready(model) {
+        model.message = Some(problem);
+        return;
     }
-    model.undone.push(model.settings);
+    remember(model);
     take(model, settings);
-}
-
-fn take(model: &mut Model, settings: Settings) {
-    if settings.accel != model.settings.accel {
-        let scene = model.world.scene.clone();
-        model.world = Arc::new(World::new(scene, settings.accel));
-    }
-    // The size belongs to the picture, which may have been fitted to the screen meanwhile.
-    let size = model.settings.size();
-    model.settings = settings.with(|s| (s.image.width, s.image.height) = size);
-    image::redo(model);
 }

@@ -1,8 +1,8 @@
 //! Scenes that are written and read again: all numbers have the same bits.
 
 use raytree::geometry::Shape;
-use raytree::reduce::write::scene_file;
 use raytree::reduce::{Kept, part};
+use raytree::scene::write::scene_file;
 use raytree::scene::{self, Object, Scene, builtin};
 
 /// What the corners of all triangles of an object carry.

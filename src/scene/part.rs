@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::kept::Kept;
+use super::{Object, Scene, VertexData};
 use crate::geometry::Shape;
 use crate::math::Rgb;
-use crate::scene::{Object, Scene, VertexData};
 
 /// Part of a scene.
 #[derive(Clone, Debug)]
@@ -36,6 +36,7 @@ pub fn part(scene: &Scene, kept: &Kept) -> ScenePart {
             settings: scene.settings,
             warnings: Vec::new(),
             files: Vec::new(),
+            changes: Vec::new(),
         },
         names: BTreeMap::new(),
     };

@@ -1,6 +1,6 @@
 //! What of a scene is kept.
 
-use crate::scene::Scene;
+use super::Scene;
 
 /// What of a scene is kept: shapes and lights by number, ascending.
 #[derive(Clone, Debug, PartialEq, Eq)]
