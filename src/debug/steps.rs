@@ -180,10 +180,9 @@ fn tested(
         .is_err();
     let (place, why) = match above {
         Some(Event::Visit(visit)) if !visit.is_leaf() => ("on the plane: ", ""),
-        Some(_) => ("", ""),
         None if !is_bounded => ("before the tree: ", "  it has no bounds"),
         None if session.nodes > 0 => ("without the tree: ", "  the ray starts too far away"),
-        None => ("", ""),
+        _ => ("", ""),
     };
     let at = short(t);
     let (kind, result) = match verdict {
