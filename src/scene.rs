@@ -29,7 +29,7 @@ pub use file_id::FileId;
 pub use gallery::builtin;
 pub use gallery::procedural::list as generated;
 pub use law::{BendEntry, Law};
-pub use load::{from_json, from_stdin, label, list, load, load_from_memory};
+pub use load::{from_json, from_stdin, is_built_in, label, list, load, load_from_memory, names};
 pub use object::{Object, VertexData};
 pub use read::error::SceneError;
 pub use read::{error, file};

@@ -1,16 +1,21 @@
 //! Ray trees that commands take: those of a pixel of a scene, and those in files.
 
-use std::fs::{self, File};
 use std::io::{self, Read as _};
 use std::path::Path;
 
 use super::Failure;
-use crate::scene::Settings;
+use crate::scene::error::Problem;
+use crate::scene::printable::shell_word;
+use crate::scene::read::files::{regular, unreadable};
+use crate::scene::{Settings, is_built_in};
 use crate::trace::facts::{PixelFacts, TreePath, pixel_facts};
 use crate::trace::read::limits::MAX_TREE_FILE_BYTES;
 use crate::trace::read::read_trees;
 use crate::trace::{Address, View, document, trace_pixel};
 use crate::world::World;
+
+/// Pixels of a file that a message lists.
+const LISTED: usize = 8;
 
 /// One side of a comparison.
 pub enum TreeSource {
@@ -27,6 +32,12 @@ pub enum TreeSource {
 
 /// A side from its text: `SCENE@X,Y`, or a file.
 pub fn parse_side(text: &str) -> Result<TreeSource, Failure> {
+    if !text.contains('@') && !Path::new(text).exists() && is_built_in(text) {
+        return Err(Failure::Usage(format!(
+            "`{text}` is a scene, and trees are compared; name a pixel of it, as in {}@160,120",
+            shell_word(text)
+        )));
+    }
     if !text.contains('@') || Path::new(text).is_file() {
         return Ok(TreeSource::File(text.to_owned()));
     }
@@ -66,8 +77,7 @@ pub fn facts_of(
 
 /// The facts of a pixel in a file: of the only one there if it does not tell its pixel.
 pub fn read_file(path: &str, pixel: Option<(u32, u32)>) -> Result<PixelFacts, Failure> {
-    let bytes = bytes_of(path)
-        .map_err(|source| Failure::Usage(format!("{path}: cannot be read: {source}")))?;
+    let bytes = bytes_of(path).map_err(|problem| Failure::Scene(problem.in_file(path)))?;
     let mut problems = Vec::new();
     let mut trees = Vec::new();
     for tree in read_trees(&bytes, path) {
@@ -77,6 +87,7 @@ pub fn read_file(path: &str, pixel: Option<(u32, u32)>) -> Result<PixelFacts, Fa
         }
     }
     let only = trees.len() == 1;
+    let there = pixels_of(&trees);
     let wanted = |tree: &PixelFacts| match (tree.pixel, pixel) {
         (Some(there), Some(wanted)) => there == wanted,
         _ => only,
@@ -85,7 +96,7 @@ pub fn read_file(path: &str, pixel: Option<(u32, u32)>) -> Result<PixelFacts, Fa
     found.ok_or_else(|| {
         Failure::Input(match (problems.first(), pixel) {
             (Some(problem), _) => problem.clone(),
-            (None, Some((x, y))) => format!("{path}: has no tree of pixel {x},{y}"),
+            (None, Some((x, y))) => format!("{path}: has no tree of pixel {x},{y}; {there}"),
             (None, None) => {
                 format!("{path}: has trees of several pixels; name a scene and a pixel: SCENE@X,Y")
             }
@@ -93,18 +104,43 @@ pub fn read_file(path: &str, pixel: Option<(u32, u32)>) -> Result<PixelFacts, Fa
     })
 }
 
+/// The pixels of which there are trees.
+fn pixels_of(trees: &[PixelFacts]) -> String {
+    let all: Vec<String> = trees
+        .iter()
+        .filter_map(|tree| tree.pixel)
+        .map(|(x, y)| format!("{x},{y}"))
+        .collect();
+    match &all[..] {
+        [] => "it tells of no pixel".to_owned(),
+        [one] => format!("it has that of {one}"),
+        all => {
+            let more = if all.len() > LISTED {
+                " and others"
+            } else {
+                ""
+            };
+            let listed = &all[..all.len().min(LISTED)];
+            format!("it has those of {}{more}", listed.join("  "))
+        }
+    }
+}
+
 /// The bytes of a regular file, or of standard input; one more than is allowed where there are more. A pipe or a device could be
 /// read for ever.
-fn bytes_of(path: &str) -> io::Result<Vec<u8>> {
+fn bytes_of(path: &str) -> Result<Vec<u8>, Problem> {
     let most = MAX_TREE_FILE_BYTES as u64 + 1;
     let mut bytes = Vec::new();
     if path == "-" {
-        io::stdin().lock().take(most).read_to_end(&mut bytes)?;
-    } else if !fs::metadata(path)?.is_file() {
-        let what = "it is no regular file; give its bytes to standard input, and - as its name";
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, what));
-    } else {
-        File::open(path)?.take(most).read_to_end(&mut bytes)?;
+        let read = io::stdin().lock().take(most).read_to_end(&mut bytes);
+        read.map_err(|error| unreadable(&error))?;
+        return Ok(bytes);
     }
+    let (file, _) = regular(
+        Path::new(path),
+        ".json, or give its bytes to - for standard input",
+    )?;
+    let read = file.take(most).read_to_end(&mut bytes);
+    read.map_err(|error| unreadable(&error))?;
     Ok(bytes)
 }

@@ -1,5 +1,6 @@
 //! The command line as a user types it: what it prints, where, and with which exit status.
 
+mod advice;
 mod notices;
 mod outputs;
 mod results;
@@ -249,7 +250,6 @@ fn a_wrong_command_line_is_status_2() {
         2,
         &["320,0", "320x240", "319,239"],
     );
-    refused(&["trace", "whitted", "--pixel", "-1,0"], 2, &[]);
     refused(&["trace", "whitted"], 2, &["--pixel"]);
     refused(&["paint", "whitted"], 2, &["paint"]);
 }
