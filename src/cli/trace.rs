@@ -11,8 +11,8 @@ use super::settings::{SceneArgs, check};
 use super::{Completion, Failure};
 use crate::accel::clearest;
 use crate::debug::drawing;
-use crate::scene::Scene;
 use crate::scene::printable::excerpt;
+use crate::scene::{FileId, Scene};
 use crate::trace::address::{AddressPart, subtree};
 use crate::trace::export::{Dot, Html, RayLines, Svg, Text, json};
 use crate::trace::facts::TreePath;
@@ -92,8 +92,8 @@ impl Trace {
         let (args, at) = addressed(&self.scene, self.at.as_ref())?;
         let part = at.as_ref().and_then(|at| at.part.clone());
         let (pixel, path) = self.ray(at)?;
-        self.check_format()?;
         let scene = args.read()?;
+        self.check_format(&scene)?;
         let target = Target {
             flag: "--output",
             path: self.output.as_deref(),
@@ -147,10 +147,11 @@ impl Trace {
         Ok(Completion::Whole)
     }
 
-    /// An error if the name of the file is that of another format than is written.
-    fn check_format(&self) -> Result<(), Failure> {
-        let path = self.output.as_deref();
-        let Some(ending) = path.and_then(|path| path.extension()?.to_str()) else {
+    /// An error if the name of the file is that of another format than is written. (That a file is read is told elsewhere.)
+    fn check_format(&self, scene: &Scene) -> Result<(), Failure> {
+        let path = self.output.as_deref().unwrap_or(Path::new(""));
+        let is_read = FileId::at(path).is_ok_and(|id| scene.files.contains(&id));
+        let Some(ending) = path.extension().and_then(|e| e.to_str()) else {
             return Ok(());
         };
         let ending = ending.to_ascii_lowercase();
@@ -158,18 +159,19 @@ impl Trace {
         let Some(meant) = Format::value_variants().iter().find(has) else {
             return Ok(());
         };
-        if meant.endings() == self.format.endings() {
+        if is_read || meant.endings() == self.format.endings() {
             return Ok(());
         }
         let name = |format: Format| {
             let value = format.to_possible_value();
             value.map_or(String::new(), |value| value.get_name().to_owned())
         };
-        let path = excerpt(&path.unwrap_or(Path::new("")).to_string_lossy());
+        let path = excerpt(&path.to_string_lossy());
         Err(Failure::Usage(format!(
-            "--output {path}: what is written there is {}, and no .{ending} file; add --format {}",
+            "--output {path}: what is written there is {}, and no .{ending} file; add --format {}, or give a name that ends in .{}",
             name(self.format),
-            name(*meant)
+            name(*meant),
+            self.format.endings().join(" or .")
         )))
     }
 

@@ -359,7 +359,7 @@ fn endless_depth_is_bounded_and_status_3_keeps_the_picture() {
         "0",
     ];
     // By the deepest recursion, and by the ray budget: 10 rays a pixel.
-    for (budget, reason) in [("1000000000", "depth-limit"), ("1920", "ray-budget")] {
+    for (budget, reason) in [("1000000000", "depth limit"), ("1920", "rays are used up")] {
         let limits = [&endless[..], &["--max-rays", budget]].concat();
         let ran = run(&[&["render", scene, "-o", picture], &limits[..]].concat());
         assert_eq!(ran.code, 3, "{}", ran.err);

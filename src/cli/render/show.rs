@@ -54,7 +54,8 @@ impl Render {
 fn nothing_to_see(mode: ShowMode, values: &[ShownValue], settings: &Settings) -> Option<String> {
     match mode {
         ShowMode::Error if values.iter().all(|v| *v == ShownValue::Nothing) => Some(format!(
-            "--show error: {} by `{}` tell no error; take at least 2 by chance, such as --samples 4 --sampling sobol",
+            "--show error: nothing is known of the error of {} by `{}`; take at least 2 by chance, such as --samples 4 \
+--sampling sobol",
             counted(settings.pixel.samples.into(), "sample"),
             Sampling::of(settings.pixel.sampler).name()
         )),

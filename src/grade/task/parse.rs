@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use serde::de::IgnoredAny;
 
-use super::advice::advice;
+use super::advice::explained;
 use super::error::TaskError;
 use super::{TaskFile, ToleranceValue};
 use crate::grade::quantity::QuantityKind;
@@ -39,12 +39,9 @@ pub fn read(path: &str) -> Result<(TaskFile, String), TaskError> {
 pub fn parse(text: &str) -> Result<TaskFile, String> {
     if text.trim_start().starts_with('{') {
         let broken = serde_json::from_str::<IgnoredAny>(text).err();
-        return serde_json::from_str(text).map_err(|error| {
-            let what = broken.map_or_else(
-                || format!("is no task: {error}"),
-                |broken| format!("is no JSON: {broken}"),
-            );
-            format!("{what}; {}", advice(&error.to_string()))
+        return serde_json::from_str(text).map_err(|error| match broken {
+            None => format!("is no task: {}", explained(&error.to_string())),
+            Some(broken) => format!("is no JSON: {}", explained(&broken.to_string())),
         });
     }
     toml::from_str(text).map_err(|e| {
@@ -52,7 +49,7 @@ pub fn parse(text: &str) -> Result<TaskFile, String> {
             text[..span.start.min(text.len())].lines().count().max(1)
         });
         let message = e.message().replace('\n', ", ");
-        format!("line {line}: {message}; {}", advice(&message))
+        format!("line {line}: {}", explained(&message))
     })
 }
 
@@ -119,4 +116,36 @@ pub fn tolerances(file: &TaskFile) -> Result<Tolerances, String> {
         all.0.insert(quantity, Allowance { absolute, relative });
     }
     Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_wrong_with_a_task_is_told_with_a_cure() {
+        for (text, what, cure) in [
+            ("", "`format`", "write format = \"raytree-task/1\""),
+            ("format = \"raytree-task/1\"", "`name`", "write name = "),
+            (
+                "format = \"raytree-task/1\"\nname = \"a\"",
+                "`check`",
+                "[[check]]",
+            ),
+            (
+                "format = \"raytree-task/1\"\nname = \"a\"\n[[check]]\nid = \"a\"\nscene = \"b\"",
+                "`points`",
+                "write points = 4",
+            ),
+            ("nam = \"a\"", "`nam`", "did you mean `name`?"),
+            ("{\"nam\": 1}", "`nam`", "did you mean `name`?"),
+            ("{\"name\": \"a\"}", "`format`", "raytree-task/1"),
+            ("name = ", "line 1", "lessons/tasks/hits.toml"),
+            ("{\"name\": 1", "is no JSON", "lessons/tasks/hits.toml"),
+        ] {
+            let said = parse(text).expect_err(text);
+            assert!(said.contains(what) && said.contains(cure), "{text}: {said}");
+            assert!(!said.contains('\n'), "{said}");
+        }
+    }
 }

@@ -186,7 +186,7 @@ fn property(at: usize, word: &str) -> Result<TreeQuery, QueryError> {
                 };
                 return Err(error(
                     at + "absent:".len(),
-                    format!("`{name}` is no reason why a ray is not sent"),
+                    format!("`{name}` is no reason for absence"),
                     cure,
                 ));
             };

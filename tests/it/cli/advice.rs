@@ -20,7 +20,7 @@ fn a_number_below_0_is_met_with_the_range_of_its_flag() {
         .lines()
         .filter_map(|line| line.trim_start().strip_prefix("--"))
         .filter_map(|line| line.split_once(" <"))
-        .filter(|(_, rest)| rest.starts_with("N>") || rest.starts_with("E>") || rest.len() < 14)
+        .filter(|(_, rest)| !rest.starts_with("FILE"))
         .map(|(flag, _)| flag)
         .collect();
     for flag in [
@@ -150,8 +150,7 @@ fn a_size_in_the_help_is_that_of_the_command() {
         let lines: Vec<&str> = help.lines().map(str::trim).collect();
         let at = lines.iter().position(|l| l.starts_with("--size"));
         let text = lines[at.expect("a flag")..].join(" ");
-        let text =
-            text.split(" --").nth(1).unwrap_or(&text).to_owned() + &text[..text.len().min(200)];
+        let text = text.split(" --").next().unwrap_or_default();
         assert!(text.contains(words), "{command}: {text}");
         assert!(command != "view" || !text.contains("320x240"), "{text}");
     }

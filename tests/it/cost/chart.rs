@@ -17,7 +17,12 @@ fn errors_of_rounding_lie_on_the_floor_of_the_chart() {
         "--plot",
         path,
     ];
-    let knobs = ["--knob", "offset,triangle,quadratic,depth"];
+    let knobs = [
+        "--knob",
+        "offset,triangle,quadratic,depth",
+        "--budget",
+        "300",
+    ];
     let text = cost(&[&args[..], &knobs[..]].concat()).stdout;
     let text = String::from_utf8(text).expect("UTF-8");
     let svg = std::fs::read_to_string(&plot).expect("a picture");

@@ -53,11 +53,10 @@ fn explained(error: &serde_json::Error, text: &str, file: &str) -> SceneError {
     {
         return unreadable(&broken, text, file);
     }
-    let (line, column) = (error.line(), error.column());
     let problem = place.problem.take();
     let problem = problem.unwrap_or_else(|| syntax_problem(error, text));
     SceneError {
-        position: (line > 0).then_some((line, column)),
+        position: position(error, text),
         problem,
         field: place.path(),
         file: file.to_string(),
@@ -66,13 +65,23 @@ fn explained(error: &serde_json::Error, text: &str, file: &str) -> SceneError {
 
 /// The error of a text that is no JSON.
 fn unreadable(error: &serde_json::Error, text: &str, file: &str) -> SceneError {
-    let (line, column) = (error.line(), error.column());
     SceneError {
-        position: (line > 0).then_some((line, column)),
+        position: position(error, text),
         problem: syntax_problem(error, text),
         field: String::new(),
         file: file.to_string(),
     }
+}
+
+/// Line and column of an error; of a text that breaks off those behind its last letter.
+fn position(error: &serde_json::Error, text: &str) -> Option<(usize, usize)> {
+    if error.classify() == Category::Eof {
+        let text = text.trim_end();
+        let last = text.lines().last().unwrap_or_default();
+        return Some((text.lines().count().max(1), last.len() + 1));
+    }
+    let (line, column) = (error.line(), error.column());
+    (line > 0).then_some((line, column))
 }
 
 /// What the parser says, in plain words.
