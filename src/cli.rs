@@ -1,6 +1,7 @@
 //! The command line: one file a command.
 
 mod address;
+mod advice;
 mod build_progress;
 mod changes;
 mod color;
@@ -29,7 +30,7 @@ use std::ffi::OsString;
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 
 use crate::scene::printable::{is_printable, printable_lines};
 use color::ColorArg;
@@ -98,7 +99,7 @@ enum Command {
 
 /// Runs the command line of this process; prints what went wrong.
 pub fn main() -> ExitCode {
-    match Cli::try_parse().map_or_else(|error| tell(&error), run) {
+    match advice::parse().map_or_else(|error| tell(&error), run) {
         Ok(Completion::Whole) => ExitCode::SUCCESS,
         Ok(Completion::Cut) => ExitCode::from(3),
         Ok(Completion::No) => ExitCode::from(4),
@@ -148,7 +149,7 @@ fn run(cli: Cli) -> Result<Completion, Failure> {
         Some(Command::Schema(command)) => command.run(),
         Some(Command::Completions { shell }) => {
             let mut script = Vec::new();
-            clap_complete::generate(shell, &mut Cli::command(), "raytree", &mut script);
+            clap_complete::generate(shell, &mut advice::command(), "raytree", &mut script);
             output::to_stdout(&script)
         }
     }

@@ -35,7 +35,8 @@ pub use gallery::builtin;
 pub use gallery::procedural::list as generated;
 pub use law::{BendEntry, Law};
 pub use load::{
-    from_json, from_stdin, label, list, load, load_from_memory, source, source_in_memory,
+    from_json, from_stdin, is_built_in, label, list, load, load_from_memory, names, source,
+    source_in_memory,
 };
 pub use object::{Object, VertexData};
 pub use patch::Patch;

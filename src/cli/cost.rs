@@ -342,12 +342,14 @@ impl Cost {
                 &shell_word(&name.replace(", ", "-").replace(' ', "-")),
             ]);
         }
-        if let Some(path) = &self.reference {
-            line.extend([" --reference ", &shell_word(&path.display().to_string())]);
-        }
-        if let Some(path) = &self.strip {
-            // It takes its share of the budget.
-            line.extend([" --strip ", &shell_word(&path.display().to_string())]);
+        // The strip takes its share of the budget.
+        for (flag, path) in [
+            (" --reference ", &self.reference),
+            (" --plot ", &self.plot),
+            (" --strip ", &self.strip),
+        ] {
+            let word = path.as_ref().map(|p| shell_word(&p.to_string_lossy()));
+            line.extend(word.iter().flat_map(|word| [flag, word]));
         }
         let threads = self.scene.settings.threads;
         if threads != 0 {

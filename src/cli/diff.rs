@@ -5,6 +5,7 @@ use std::str::FromStr as _;
 use clap::{Args, ValueEnum};
 
 use super::changes::ChangeArgs;
+use super::command_line::words;
 use super::notices::Notices;
 use super::output::to_stdout;
 use super::settings::{SceneArgs, SettingsArgs};
@@ -18,6 +19,7 @@ use crate::grade::marks::CausingTree;
 use crate::grade::output::difference;
 use crate::grade::quantity::QuantityKind;
 use crate::grade::tolerance::{Allowance, Tolerances};
+use crate::scene::printable::shell_word;
 use crate::scene::{Bends, Settings};
 use crate::trace::facts::PixelFacts;
 use crate::world::World;
@@ -151,7 +153,7 @@ impl Diff {
             _ => self.ask.contains(&quantity),
         };
         let diff = TreeDiff::new(of, theirs, &tolerances, &asks);
-        let open = |compared: &Compared| self.open(of.pixel, compared);
+        let open = |compared: &Compared| self.open(of, compared);
         let sides = Sides {
             scene,
             pixel: of.pixel,
@@ -176,18 +178,22 @@ impl Diff {
         })
     }
 
-    /// The command that opens our tree at a ray.
-    fn open(&self, (x, y): (u32, u32), compared: &Compared) -> String {
+    /// The command that opens our tree at a ray, in a picture of the size that was compared.
+    fn open(&self, of: PixelReference, compared: &Compared) -> String {
         let scene = self
             .a
             .rsplit_once('@')
             .map_or(self.a.as_str(), |(scene, _)| scene);
-        let size = self
-            .settings
-            .size()
-            .map_or(String::new(), |(w, h)| format!(" --size {w}x{h}"));
-        let scene = crate::scene::printable::shell_word(scene);
-        format!("raytree view {scene}{size} --at {x},{y}{}", compared.path)
+        let (x, y) = of.pixel;
+        let words = match of.scene {
+            Some((world, settings)) => words(scene, settings, &world.scene),
+            None => {
+                let size = self.settings.size();
+                let size = size.map_or(String::new(), |(w, h)| format!(" --size {w}x{h}"));
+                shell_word(scene) + &size
+            }
+        };
+        format!("raytree view {words} --at {x},{y}{}", compared.path)
     }
 }
 

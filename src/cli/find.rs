@@ -14,6 +14,8 @@ use crate::accel::fastest;
 use crate::lab::find::{FoundPixels, find};
 use crate::scene::Settings;
 use crate::trace::TreeQuery;
+use crate::trace::format::counted;
+use crate::trace::query::unknown_names;
 use crate::tracer::image::png;
 
 /// Pixels that are listed if the user names no number.
@@ -63,6 +65,10 @@ impl Find {
         };
         let [mask] = output::open(&scene.files, [target])?;
         let (world, settings) = self.scene.build(scene, fastest)?;
+        if let Some(unknown) = unknown_names(&self.query, &world.scene) {
+            self.scene.notices.warn(unknown);
+            self.scene.notices.deny(self.scene.label(), 1)?;
+        }
         let most = self.first.map_or(usize::MAX, |n| n as usize);
         let bar = progress_bar(&settings, self.scene.notices.quiet);
         let watch = |_: &[(u32, u32)], searched| {
@@ -106,7 +112,7 @@ impl Find {
             _ => "; the first are listed, --first N lists more",
         };
         let which = if found.complete { "" } else { " so far" };
-        eprintln!("{count} of {searched} pixels{which}{more}");
+        eprintln!("{count} of {}{which}{more}", counted(searched, "pixel"));
         if let Some((x, y)) = listed.first() {
             eprintln!(
                 "the ray tree of the first: raytree trace {scene} --pixel {x},{y} --format text"

@@ -26,6 +26,7 @@ use crate::grade::output::{Audience, OutputKind, is_datetime};
 use crate::grade::report::Report;
 use crate::grade::submission::Submission;
 use crate::grade::task::{Task, TaskError};
+use crate::scene::read::files::unreadable;
 use crate::scene::{Bend, Bends, FileId};
 use crate::tracer::thread_pool;
 
@@ -120,6 +121,11 @@ impl Grade {
     }
 
     fn mark(&self, path: &str) -> Result<Completion, Failure> {
+        if self.submissions.is_empty() && self.students.is_none() {
+            let what = "nothing is named that was handed in; add folders, archives or files behind TASK, or --selftest to \
+test the task itself";
+            return Err(Failure::Usage(what.to_owned()));
+        }
         let all = entries(&self.submissions, self.students.as_deref())?;
         for warning in &all.warnings {
             eprintln!("warning: {warning}");
@@ -128,6 +134,11 @@ impl Grade {
             Some(shard) => shard.of(&all.entries),
             None => &all.entries[..],
         };
+        // A link that leads nowhere is what somebody handed in; a name of nothing is misspelt.
+        for path in entries.iter().filter_map(|entry| entry.path.as_deref()) {
+            std::fs::symlink_metadata(path)
+                .map_err(|error| unreadable(&error).in_file(&path.to_string_lossy()))?;
+        }
         let tasks = thread_pool::install(self.threads, || tasks(path))?;
         let Some(task) = tasks.first() else {
             return Ok(Completion::Whole);

@@ -32,7 +32,7 @@ pub enum Failure {
     #[error("{0}")]
     Input(String),
     /// A result could not be written.
-    #[error("{}: cannot be written: {source}", shown(.path.as_deref()))]
+    #[error("{}: cannot be written: {}", shown(.path.as_deref()), cause(source))]
     Output {
         /// The file; `None` for standard output.
         path: Option<PathBuf>,
@@ -42,6 +42,21 @@ pub enum Failure {
     /// The terminal does not do what the debugger needs.
     #[error("{0}")]
     Terminal(io::Error),
+}
+
+/// What the system says, in plain words where its own are none.
+fn cause(error: &io::Error) -> String {
+    match error.kind() {
+        // What this program says itself is plain.
+        _ if error.get_ref().is_some() => error.to_string(),
+        io::ErrorKind::NotFound => {
+            "no file can be made there; give a name in another folder".to_owned()
+        }
+        io::ErrorKind::PermissionDenied => {
+            "writing there is not permitted; give a name in another folder".to_owned()
+        }
+        _ => error.to_string(),
+    }
 }
 
 fn shown(path: Option<&Path>) -> String {

@@ -104,7 +104,7 @@ impl Reduce {
         let bar = progress_bar(args.notices.quiet);
         let watch = |progress: ReduceProgress| {
             let ReduceProgress { trials, shapes } = progress;
-            bar.set_message(format!("trial {trials}: {shapes} shapes"));
+            bar.set_message(format!("trial {trials}, shapes left: {shapes}"));
             bar.tick();
             if stop.load(Ordering::Relaxed) {
                 ControlFlow::Break(())

@@ -48,7 +48,7 @@ pub struct Render {
     json: bool,
     /// Take more and more samples until the picture's estimated error (the root of the mean square of the pixels'
     /// standard errors of linear luminance) is at most this; --max-rays bounds all tries together
-    #[arg(long, value_name = "E", value_parser = parse_positive, conflicts_with_all = ["adaptive", "sets", "stats"])]
+    #[arg(long, value_name = "E", value_parser = parse_positive, conflicts_with_all = ["adaptive", "sets"])]
     until_error: Option<f64>,
     /// Also draw each pixel's estimated standard error: .pfm as numbers, else a PNG file, white for the largest
     #[arg(long, value_name = "FILE")]
@@ -179,6 +179,11 @@ of pixel {x},{y}: raytree trace {words} --pixel {x},{y}"
 
     /// The settings with what the flags of this command say.
     fn wanted(&self, settings: Settings) -> Result<Settings, Failure> {
+        if self.until_error.is_some() && self.stats {
+            let what = "--until-error makes several pictures, and --stats tells of the work of one; leave --stats out, and \
+render again with the settings that are told at the end";
+            return Err(Failure::Usage(what.to_owned()));
+        }
         let mut wanted = settings.with(|s| s.pixel.errors = self.error_map.is_some());
         if self.until_error.is_some() && settings.pixel.sampler == Sampler::Grid {
             if self.scene.settings.gives("sampling") {

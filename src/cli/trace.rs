@@ -1,7 +1,7 @@
 //! `raytree trace`: the ray tree of one pixel.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
@@ -11,11 +11,12 @@ use super::settings::{SceneArgs, check};
 use super::{Completion, Failure};
 use crate::accel::clearest;
 use crate::debug::drawing;
-use crate::scene::Scene;
-use crate::trace::address::subtree;
+use crate::scene::printable::excerpt;
+use crate::scene::{FileId, Scene};
+use crate::trace::address::{AddressPart, subtree};
 use crate::trace::export::{Dot, Html, RayLines, Svg, Text, json};
 use crate::trace::facts::TreePath;
-use crate::trace::{Address, Document, View, document, trace_pixel};
+use crate::trace::{Address, Document, PixelTrace, View, document, trace_pixel};
 
 #[derive(Args)]
 pub struct Trace {
@@ -86,8 +87,10 @@ impl Format {
 impl Trace {
     pub fn run(&self) -> Result<Completion, Failure> {
         let (args, at) = addressed(&self.scene, self.at.as_ref())?;
+        let part = at.as_ref().and_then(|at| at.part.clone());
         let (pixel, path) = self.ray(at)?;
         let scene = args.read()?;
+        self.check_format(&scene)?;
         let target = Target {
             flag: "--output",
             path: self.output.as_deref(),
@@ -102,6 +105,9 @@ impl Trace {
             args.notices.warn(text);
         }
         let trace = trace_pixel(&world, &settings, pixel, self.traversal);
+        if let Some(AddressPart::Event(event)) = part {
+            inside_log(event, &trace)?;
+        }
         let cut = trace.pixel.cut_warning(&settings, args.label());
         args.notices.tell(cut.as_slice());
         world.scene.warnings.extend(cut);
@@ -125,7 +131,7 @@ impl Trace {
         if trace.tree.dropped > 0 {
             let dropped = trace.tree.dropped;
             args.notices.warn(format!(
-                "the log is full; {dropped} events were not kept (try a smaller --depth)"
+                "the log is full; events that were not kept: {dropped} (try a smaller --depth)"
             ));
             return Ok(Completion::Cut);
         }
@@ -136,6 +142,34 @@ impl Trace {
         let warnings = world.scene.warnings.len() + usize::from(unheard.is_some());
         args.notices.deny(args.label(), warnings)?;
         Ok(Completion::Whole)
+    }
+
+    /// An error if the name of the file is that of another format than is written. (That a file is read is told elsewhere.)
+    fn check_format(&self, scene: &Scene) -> Result<(), Failure> {
+        let path = self.output.as_deref().unwrap_or(Path::new(""));
+        let is_read = FileId::at(path).is_ok_and(|id| scene.files.contains(&id));
+        let Some(ending) = path.extension().and_then(|e| e.to_str()) else {
+            return Ok(());
+        };
+        let ending = ending.to_ascii_lowercase();
+        let has = |format: &&Format| format.endings().contains(&ending.as_str());
+        let Some(meant) = Format::value_variants().iter().find(has) else {
+            return Ok(());
+        };
+        if is_read || meant.endings() == self.format.endings() {
+            return Ok(());
+        }
+        let name = |format: Format| {
+            let value = format.to_possible_value();
+            value.map_or(String::new(), |value| value.get_name().to_owned())
+        };
+        let path = excerpt(&path.to_string_lossy());
+        Err(Failure::Usage(format!(
+            "--output {path}: what is written there is {}, and no .{ending} file; add --format {}, or give a name that ends in .{}",
+            name(self.format),
+            name(*meant),
+            self.format.endings().join(" or .")
+        )))
     }
 
     /// The pixel, and the ray whose tree is written if it is not all of them.
@@ -171,6 +205,20 @@ impl Trace {
             Format::Obj => write!(out, "{}", RayLines(document)),
         }
     }
+}
+
+/// An error if a pixel's log has no such event.
+fn inside_log(event: usize, trace: &PixelTrace) -> Result<(), Failure> {
+    let count = trace.tree.events.len();
+    if event < count {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!(
+        "there is no event #{event} of pixel {},{}; the last one is #{}",
+        trace.x,
+        trace.y,
+        count.saturating_sub(1)
+    )))
 }
 
 fn parse_pixel(text: &str) -> Result<(u32, u32), String> {

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use super::Failure;
 use crate::grade::pixel_tree::{self, TreeFileError};
-use crate::scene::Settings;
+use crate::scene::printable::shell_word;
+use crate::scene::{Settings, is_built_in};
 use crate::trace::Address;
 use crate::trace::facts::{PixelFacts, TreePath};
 use crate::world::World;
@@ -24,6 +25,12 @@ pub enum TreeSource {
 
 /// A side from its text: `SCENE@X,Y`, or a file.
 pub fn parse_side(text: &str) -> Result<TreeSource, Failure> {
+    if !text.contains('@') && !Path::new(text).exists() && is_built_in(text) {
+        return Err(Failure::Usage(format!(
+            "`{text}` is a scene, and trees are compared; name a pixel of it, as in {}@160,120",
+            shell_word(text)
+        )));
+    }
     if !text.contains('@') || Path::new(text).is_file() {
         return Ok(TreeSource::File(text.to_owned()));
     }
@@ -58,7 +65,7 @@ pub fn facts_of(
 /// The facts of a pixel in a file: of the only one there if it does not tell its pixel.
 pub fn read_file(path: &str, pixel: Option<(u32, u32)>) -> Result<PixelFacts, Failure> {
     pixel_tree::in_file(path, pixel).map_err(|error| match error {
-        TreeFileError::Unread(..) => Failure::Usage(error.to_string()),
+        TreeFileError::Unread(error) => Failure::Scene(error),
         TreeFileError::Content(what) => Failure::Input(what),
     })
 }

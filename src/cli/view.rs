@@ -1,6 +1,6 @@
 //! `raytree view`: the debugger.
 
-use std::fs;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -13,8 +13,10 @@ use super::settings::{ReadScene, SceneArgs, SettingsArgs, check};
 use super::{ColorArg, Completion, Failure};
 use crate::accel::clearest;
 use crate::debug::marks::{MAX_MARKS_BYTES, Marks};
+use crate::scene::error::Problem;
 use crate::scene::limits::size_problem;
 use crate::scene::printable::excerpt;
+use crate::scene::read::files::{regular, unreadable};
 use crate::trace::Address;
 use crate::tui::{self, Options};
 
@@ -83,12 +85,14 @@ fn read_marks(path: &Path) -> Result<Marks, Failure> {
         let path = excerpt(&path.to_string_lossy());
         Failure::Input(format!("{path}: {what}"))
     };
-    let cannot = |error: std::io::Error| wrong(format!("cannot be read: {error}"));
-    let metadata = fs::metadata(path).map_err(cannot)?;
-    if !metadata.is_file() || metadata.len() > MAX_MARKS_BYTES {
+    let unread = |problem: Problem| Failure::Scene(problem.in_file(&path.to_string_lossy()));
+    let (mut file, length) = regular(path, ".json").map_err(unread)?;
+    if length > MAX_MARKS_BYTES {
         return Err(wrong("is no file of at most 4 MiB: no marks".to_owned()));
     }
-    let text = fs::read_to_string(path).map_err(cannot)?;
+    let mut text = String::new();
+    let read = file.read_to_string(&mut text);
+    read.map_err(|error| unread(unreadable(&error)))?;
     Marks::from_json(&text).map_err(wrong)
 }
 

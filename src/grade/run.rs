@@ -158,7 +158,7 @@ impl Runner {
         }
         if untold > 0 {
             let of = about(scene, sight, None);
-            progress.tell(format!("{of}: {untold} more processes failed"));
+            progress.tell(format!("{of}: more processes that failed: {untold}"));
         }
         progress.take_files(folder.written(), sight);
     }

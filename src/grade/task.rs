@@ -1,5 +1,6 @@
 //! Task files, `raytree-task/1`: what is asked, in which scenes, for how many points. TOML, or the same as JSON.
 
+mod advice;
 mod ask;
 mod error;
 mod load;

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use crate::math::Rgb;
 use crate::scene::printable::printable;
 use crate::trace::facts::Fact;
+use crate::trace::format::counted;
 
 /// Characters of a student's text that are shown.
 const SHOWN: usize = 200;
@@ -27,7 +28,7 @@ pub fn text(fact: &Fact) -> String {
         Fact::Pair(p) => numbers(p),
         Fact::Color(c) => numbers(&c.channels()),
         Fact::Word(word) => shown(word),
-        Fact::Steps(steps) => format!("{} steps", steps.len()),
+        Fact::Steps(steps) => counted(steps.len() as u64, "step"),
         Fact::Nothing => "no number".to_owned(),
     }
 }

@@ -12,23 +12,28 @@ impl Absence {
 
     /// Why the ray is not sent, in a few words.
     pub fn words(self) -> &'static str {
+        self.discriminant().words()
+    }
+}
+
+impl AbsenceReason {
+    /// Why a ray is not sent, in a few words.
+    pub fn words(self) -> &'static str {
         match self {
-            Self::TotalInternalReflection { .. } => "total internal reflection",
+            Self::TotalInternalReflection => "total internal reflection",
             Self::NoReflection => "reflects nothing",
             Self::NoTransmission => "lets nothing through",
             Self::NoLocalLight => "lights do not matter",
-            Self::FacingAway { .. } => "light is behind it",
-            Self::OutsideCone { .. } => "outside of the cone",
-            Self::BelowSurface { .. } => "below the surface",
-            Self::MinWeight { .. } => "weight is too small",
+            Self::FacingAway => "light is behind it",
+            Self::OutsideCone => "outside of the cone",
+            Self::BelowSurface => "below the surface",
+            Self::MinWeight => "weight is too small",
             Self::DepthLimit => "depth limit",
             Self::RayBudget => "rays are used up",
             Self::EffectOff => "effect is left out",
         }
     }
-}
 
-impl AbsenceReason {
     /// What it means, in a sentence.
     pub fn sentence(self) -> &'static str {
         match self {
@@ -84,6 +89,16 @@ impl Verdict {
     /// As JSON says it.
     pub fn name(self) -> &'static str {
         self.into()
+    }
+
+    /// It, for people.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Hit => "hit",
+            Self::Miss => "miss",
+            Self::TooFar => "too far",
+            Self::Behind => "behind",
+        }
     }
 
     /// What it means, in words.

@@ -29,6 +29,17 @@ pub fn source(spec: &str) -> Result<SceneSource, SceneError> {
     SceneSource::named(spec)?.ok_or_else(|| unknown(spec).in_file(spec))
 }
 
+/// Whether a built-in or computed scene has this name, with or without a size.
+pub fn is_built_in(spec: &str) -> bool {
+    let kind = spec.rsplit_once(':').map_or(spec, |(kind, _)| kind);
+    names().any(|name| name == spec || name == kind)
+}
+
+/// Names of the built-in and the computed scenes.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    builtin::names().chain(procedural::names())
+}
+
 /// Scene from files in memory, by their paths: that in `name`, which ends in `.json` or `.obj`, and those that it names.
 /// Nothing is read from disk; paths and sizes are bounded as there.
 pub fn load_from_memory(name: &str, files: BTreeMap<String, Vec<u8>>) -> Result<Scene, SceneError> {
@@ -65,7 +76,7 @@ pub fn list() -> Vec<(&'static str, String)> {
 }
 
 fn unknown(spec: &str) -> Problem {
-    let names: Vec<&str> = builtin::names().chain(procedural::names()).collect();
+    let names: Vec<&str> = names().collect();
     let listed = names.join(", ");
     if Path::new(spec).exists() {
         return Problem::new(

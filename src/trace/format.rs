@@ -27,6 +27,13 @@ pub fn counted(n: u64, what: &str) -> String {
     format!("{n} {what}{plural}")
 }
 
+/// A part of a whole as a percentage; what is smaller than half of the last digit is 0 without a sign.
+pub fn percent(fraction: f64) -> String {
+    let shown = format!("{:.1}", fraction * 100.0);
+    let shown = if shown == "-0.0" { "0.0" } else { &shown };
+    format!("{shown} %")
+}
+
 /// Three numbers: `(x, y, z)`.
 pub fn triple([x, y, z]: [f64; 3]) -> String {
     format!("({}, {}, {})", num(x), num(y), num(z))
@@ -53,6 +60,16 @@ pub fn degrees(cos: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn nothing_has_no_sign() {
+        for zero in [0.0, -0.0, -1e-9, -4e-4] {
+            assert_eq!(percent(zero), "0.0 %");
+        }
+        assert_eq!([0.125, -0.01].map(percent), ["12.5 %", "-1.0 %"]);
+        assert_eq!([num(-0.0), num(5.988e-74)], ["0", "5.988e-74"]);
+        assert_eq!(triple([-0.0, 0.0, -1.0]), "(0, 0, -1)");
+    }
 
     #[test]
     fn numbers_are_short_and_honest() {

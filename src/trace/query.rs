@@ -17,6 +17,7 @@
 //! A name may hold `*` for any letters, and stands in double quotes if it holds spaces or brackets.
 
 mod error;
+mod names;
 mod parse;
 mod pattern;
 mod quantity;
@@ -27,6 +28,7 @@ use crate::trace::{Outcome, View};
 use quantity::NodeQuantity;
 
 pub use error::QueryError;
+pub use names::unknown_names;
 pub use pattern::Pattern;
 
 /// A query, made from its text with [`str::parse`].

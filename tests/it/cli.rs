@@ -1,5 +1,6 @@
 //! The command line as a user types it: what it prints, where, and with which exit status.
 
+mod advice;
 mod notices;
 mod outputs;
 mod results;
@@ -249,7 +250,6 @@ fn a_wrong_command_line_is_status_2() {
         2,
         &["320,0", "320x240", "319,239"],
     );
-    refused(&["trace", "whitted", "--pixel", "-1,0"], 2, &[]);
     refused(&["trace", "whitted"], 2, &["--pixel"]);
     refused(&["paint", "whitted"], 2, &["paint"]);
 }
@@ -359,7 +359,7 @@ fn endless_depth_is_bounded_and_status_3_keeps_the_picture() {
         "0",
     ];
     // By the deepest recursion, and by the ray budget: 10 rays a pixel.
-    for (budget, reason) in [("1000000000", "depth-limit"), ("1920", "ray-budget")] {
+    for (budget, reason) in [("1000000000", "depth limit"), ("1920", "rays are used up")] {
         let limits = [&endless[..], &["--max-rays", budget]].concat();
         let ran = run(&[&["render", scene, "-o", picture], &limits[..]].concat());
         assert_eq!(ran.code, 3, "{}", ran.err);

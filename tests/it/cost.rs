@@ -1,5 +1,6 @@
 //! `raytree cost`: bounded, repeatable, and of the order that theory tells.
 
+mod chart;
 mod reference;
 
 use std::process::{Command, Output};
@@ -247,7 +248,11 @@ fn tables_lines_and_a_plot_are_written() {
         .lines()
         .filter(|l| !l.contains(':') && !l.contains("halving"));
     assert!(tables.all(|l| l.chars().count() <= 80), "{text}");
+    for words in [format!(" --plot {path}"), "seconds a picture".to_owned()] {
+        assert!(text.contains(&words), "{words} in\n{text}");
+    }
     let svg = std::fs::read_to_string(&plot).expect("a picture");
+    assert!(svg.contains("seconds a picture") && svg.contains(">c  pixel samples, jittered<"));
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
     let csv = cost(&[&args[..], &["--csv"]].concat()).stdout;
     let csv = String::from_utf8(csv).expect("UTF-8");

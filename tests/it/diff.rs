@@ -220,8 +220,18 @@ fn wrong_command_lines_are_told() {
         (vec!["diff", "whitted@9999,1", "whitted@1,1"], 2, "outside"),
         (
             vec!["diff", "whitted@1,1", "no-such-file.json"],
+            1,
+            "there is no such file",
+        ),
+        (
+            vec!["diff", "whitted", "whitted"],
             2,
-            "cannot be read",
+            "name a pixel of it, as in whitted@160,120",
+        ),
+        (
+            vec!["diff", "whitted@1,1", "spd:balls:2"],
+            2,
+            "as in spd:balls:2@160,120",
         ),
         (
             vec!["diff", "whitted@1,1", "whitted@1,1", "--ask", "colour"],
@@ -275,4 +285,44 @@ fn the_deepest_tree_needs_no_deep_stack_of_the_caller() {
         .join()
         .expect("a tree");
     assert!(tree.rays.len() > 20, "{}", tree.rays.len());
+}
+
+/// The picture in the window has another size: the command says that of the compared one.
+#[test]
+fn the_command_to_look_has_the_size_that_was_compared() {
+    let args = [
+        "diff",
+        "whitted@160,120",
+        "whitted@160,120",
+        "--bend-b",
+        "normal-inward",
+    ];
+    let (text, status) = raytree(&args);
+    assert_eq!(status, Some(4), "{text}");
+    assert!(
+        text.contains("raytree view whitted --size 320x240 --at 160,120"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_file_without_the_pixel_says_which_it_has() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("trees.json");
+    let path = path.to_str().expect("a plain path");
+    let tree = |at: &str| raytree(&["trace", "triangle", "--size", "8x6", "--pixel", at]).0;
+    let trees = |count: u32| {
+        (0..count)
+            .map(|x| tree(&format!("{x},1")))
+            .collect::<String>()
+    };
+    for (count, said) in [(1, "it has that of 0,1"), (3, "those of 0,1  1,1  2,1")] {
+        std::fs::write(path, trees(count)).expect("written");
+        let (text, status) = raytree(&["diff", "triangle@5,5", path, "--size", "8x6"]);
+        assert_eq!(status, Some(1), "{text}");
+        assert!(
+            text.contains("no tree of pixel 5,5") && text.contains(said),
+            "{text}"
+        );
+    }
 }

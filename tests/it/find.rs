@@ -168,3 +168,34 @@ fn the_mask_is_white_where_pixels_were_found() {
     assert_eq!(json["count"].as_u64(), Some(white as u64));
     assert!(white > 0 && white < 300);
 }
+
+/// A misspelt name is never found, and that is told once.
+#[test]
+fn a_name_that_nothing_has_is_told() {
+    let ran = |query: &str, more: &str| {
+        let output = raytree(&format!("find|soft-shadow|{query}|--size|8x6{more}"));
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), told)
+    };
+    for (query, said) in [
+        (
+            "hits:flor",
+            "no object is named `flor`; did you mean `floor`?",
+        ),
+        (
+            "some(lit:lmap) or hits:flor",
+            "no light is named `lmap`; did you mean `lamp`?",
+        ),
+        ("material:gras", "no material is named `gras`"),
+    ] {
+        let (status, told) = ran(query, "");
+        assert_eq!(told.matches("warning: ").count(), 1, "{told}");
+        assert!(told.contains(said), "{told}");
+        assert!(status != Some(1) && status != Some(2), "{told}");
+        assert_eq!(ran(query, "|--deny-warnings").0, Some(1));
+        assert_eq!(ran(query, "|-q").1, "");
+    }
+    for query in ["hits:floor", "hits:flor*", "not lit:lamp"] {
+        assert!(!ran(query, "").1.contains("warning"), "{query}");
+    }
+}

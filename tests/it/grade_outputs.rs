@@ -2,6 +2,7 @@
 
 mod class;
 mod gradescope;
+mod handed_in;
 mod pages;
 mod shards;
 mod tables;

@@ -315,7 +315,7 @@ fn hidden_pixels_are_asked_last_and_nothing_said_there_is_shown() {
             .count(),
         1
     );
-    graded.tells("hidden pixels: 1 problems in what was printed");
+    graded.tells("hidden pixels: 1 problem in what was printed");
     for problem in &graded.problems {
         assert!(!problem.contains("105"), "{problem}");
     }

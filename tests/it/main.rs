@@ -45,6 +45,7 @@ mod monday;
 mod obj;
 mod patched;
 mod penumbra;
+mod plain_words;
 mod projected;
 mod ray_lines;
 mod read_trees;

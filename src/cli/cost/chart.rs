@@ -14,23 +14,14 @@ use crate::lab::{Sweep, plot};
 const WIDTH: u16 = 78;
 const HEIGHT: u16 = 18;
 
-/// A sweep in the chart: its letter, its name and its points.
-type Plotted = (char, String, Vec<(f64, f64)>);
-
-/// The letters of the sweeps, in order: told apart without colours.
-pub fn letters() -> impl Iterator<Item = char> {
-    ('a'..='z').cycle()
-}
-
 /// The sweeps that have an error: seconds to the right, RMSE upwards. Empty if there are none.
 pub fn lines(sweeps: &[Sweep]) -> String {
-    let lines: Vec<Plotted> = letters()
-        .zip(sweeps)
-        .map(|(letter, sweep)| {
-            let points = plot::points(sweep).into_iter().map(|[x, y]| (x, y));
-            (letter, sweep.parameter.name(), points.collect())
+    let plotted = plot::plotted(sweeps).into_iter();
+    let lines: Vec<(char, String, Vec<(f64, f64)>)> = plotted
+        .map(|(letter, name, points)| {
+            let points = points.into_iter().map(|[x, y]| (x, y));
+            (letter, name, points.collect())
         })
-        .filter(|(_, _, points): &Plotted| !points.is_empty())
         .collect();
     if lines.is_empty() {
         return String::new();
@@ -56,7 +47,7 @@ pub fn lines(sweeps: &[Sweep]) -> String {
     let area = Rect::new(0, 0, WIDTH, HEIGHT);
     let mut buffer = Buffer::empty(area);
     Chart::new(datasets)
-        .x_axis(axis(x, " s"))
+        .x_axis(axis(x, " s").title("seconds a picture".bold()))
         .y_axis(axis(y, "").title("RMSE".bold()))
         .legend_position(None)
         .render(area, &mut buffer);
@@ -70,6 +61,9 @@ pub fn lines(sweeps: &[Sweep]) -> String {
     for (letter, name, _) in &lines {
         // Writing to a string cannot fail.
         let _ = writeln!(out, "  {letter}  {name}");
+    }
+    if let Some(floor) = plot::about_floor(sweeps) {
+        let _ = writeln!(out, "  {floor}");
     }
     out
 }

@@ -1,6 +1,6 @@
 //! `raytree grade --merge`: the JSON of shards made one.
 
-use std::fs;
+use std::io::Read as _;
 use std::path::PathBuf;
 
 use super::outputs::target;
@@ -8,7 +8,9 @@ use crate::cli::output::{open_all, to_stdout};
 use crate::cli::{Completion, Failure};
 use crate::grade::output::{GradeDocument, OutputKind, json, merge, parse, table};
 use crate::scene::FileId;
+use crate::scene::error::Problem;
 use crate::scene::printable::excerpt;
+use crate::scene::read::files::{regular, unreadable};
 
 /// Merges files; JSON goes to standard output if no file is named for it.
 pub fn run(files: &[PathBuf], asked: &[(OutputKind, PathBuf)]) -> Result<Completion, Failure> {
@@ -45,6 +47,10 @@ fn written(kind: OutputKind, document: &GradeDocument) -> Result<String, Failure
 fn one(path: &PathBuf) -> Result<GradeDocument, Failure> {
     let shown = excerpt(&path.to_string_lossy());
     let wrong = |what: String| Failure::Input(format!("{shown}: {what}"));
-    let text = fs::read_to_string(path).map_err(|e| wrong(format!("cannot be read: {e}")))?;
+    let unread = |problem: Problem| Failure::Scene(problem.in_file(&path.to_string_lossy()));
+    let (mut file, _) = regular(path, ".json").map_err(unread)?;
+    let mut text = String::new();
+    let read = file.read_to_string(&mut text);
+    read.map_err(|error| unread(unreadable(&error)))?;
     parse(&text).map_err(wrong)
 }

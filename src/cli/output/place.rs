@@ -19,9 +19,10 @@ pub struct Target<'a> {
 }
 
 /// Endings that say what is in a file: something else under such a name would deceive its reader.
-const TELLING: [&str; 22] = [
+const TELLING: [&str; 27] = [
     "png", "pfm", "jpg", "jpeg", "gif", "bmp", "tif", "tiff", "webp", "avif", "ppm", "exr", "hdr",
-    "svg", "html", "htm", "pdf", "json", "csv", "dot", "gv", "obj",
+    "svg", "html", "htm", "pdf", "json", "csv", "dot", "gv", "obj", "txt", "xml", "toml", "zip",
+    "mtl",
 ];
 
 /// Links that are followed at most, as by the system.

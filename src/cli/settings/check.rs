@@ -4,13 +4,15 @@ use crate::cli::Failure;
 use crate::sampling::Sampler;
 use crate::scene::settings::knob::{Kind, Value, parse_whole};
 use crate::scene::{Pilot, PixelSampling, Settings};
+use crate::trace::format::counted;
 
 /// An error if some of what was asked for does not go together.
 pub fn pixel(pixel: &PixelSampling) -> Result<(), Failure> {
     let PixelSampling { samples, sets, .. } = *pixel;
     if sets > samples {
         return Err(Failure::Usage(format!(
-            "--sets {sets}: {samples} samples cannot be parted into so many (see --samples)"
+            "--sets {sets}: {} cannot be parted into so many (see --samples)",
+            counted(samples.into(), "sample")
         )));
     }
     let regular = pixel.sampler == Sampler::Grid;
@@ -41,7 +43,7 @@ jittered or sobol"
     }
     if most < least {
         return Err(Failure::Usage(format!(
-            "--max-samples {most} is too few: the first {first} samples (see --samples) with pilot {} take {least}",
+            "--max-samples {most} is too few: the first {first} (see --samples) with pilot {} take {least}",
             adaptive.pilot.name()
         )));
     }

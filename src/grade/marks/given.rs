@@ -4,12 +4,17 @@ use std::collections::HashMap;
 
 use crate::grade::submission::{HIDDEN, Submission};
 use crate::grade::task::Task;
+use crate::scene::printable::excerpt;
 use crate::trace::facts::PixelFacts;
+use crate::trace::format::counted;
 use crate::trace::query::Pattern;
 use crate::trace::read::read_trees;
 
 /// Problems of a submission that are kept.
 const MOST_PROBLEMS: usize = 50;
+
+/// Scenes that a problem lists.
+const LISTED: usize = 8;
 
 /// A submission that was read.
 #[derive(Default)]
@@ -49,9 +54,16 @@ impl Given {
         if name.contains(HIDDEN) && count > 0 {
             self.problems.truncate(before);
             self.problems.push(format!(
-                "hidden pixels: {count} problems in what was printed"
+                "hidden pixels: {} in what was printed",
+                counted(count as u64, "problem")
             ));
         }
+    }
+
+    /// Tells a problem, unless it is told already.
+    fn tell(&mut self, problem: Option<String>) {
+        let is_new = |problem: &String| !self.problems.contains(problem);
+        self.problems.extend(problem.filter(is_new));
     }
 
     fn read(&mut self, task: &Task, name: &str, bytes: &[u8]) {
@@ -59,7 +71,7 @@ impl Given {
             let tree = match tree {
                 Ok(tree) => tree,
                 Err(error) => {
-                    self.problems.push(error.to_string());
+                    self.problems.push(error.in_a_line());
                     continue;
                 }
             };
@@ -75,11 +87,7 @@ impl Given {
                 continue;
             };
             let scenes = scenes_of(task, name, &tree);
-            if scenes.is_empty() {
-                self.problems.push(format!(
-                    "{name}: does not tell which scene it is of; name the file after the scene"
-                ));
-            }
+            self.tell(about_scene(task, name, &tree, &scenes));
             for scene in scenes {
                 let twice = || {
                     Err(format!(
@@ -131,12 +139,39 @@ fn only_pixel(task: &Task) -> Option<(u32, u32)> {
         .then_some(first)
 }
 
+/// What is wrong with the scene that a tree says it is of, or that its file is named after. `scenes` are those it is taken for.
+fn about_scene(task: &Task, file: &str, tree: &PixelFacts, scenes: &[usize]) -> Option<String> {
+    let name = |index: &usize| excerpt(&task.scenes[*index].world.scene.name);
+    let asked: Vec<String> = (0..task.scenes.len().min(LISTED))
+        .map(|index| name(&index))
+        .collect();
+    match (&tree.scene, scenes) {
+        (Some(told), _) if !is_asked(task, told) => Some(format!(
+            "{file}: is of the scene `{}`, and the task asks {}",
+            excerpt(told),
+            asked.join(", ")
+        )),
+        (None, []) => Some(format!(
+            "{file}: does not tell which scene it is of; name the file after the scene"
+        )),
+        _ => None,
+    }
+}
+
+/// The name of a file without folders and endings.
+fn stem(path: &str) -> &str {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    name.split('.').next().unwrap_or(name)
+}
+
+/// True if a scene of the task has this name, or its file has it.
+fn is_asked(task: &Task, name: &str) -> bool {
+    let mut scenes = task.scenes.iter();
+    scenes.any(|scene| scene.world.scene.name == name || stem(&scene.path) == name)
+}
+
 /// The scenes of the task that a tree is of: by its own word, else by the name of its file, else the only one.
 fn scenes_of(task: &Task, file: &str, tree: &PixelFacts) -> Vec<usize> {
-    let stem = |path: &str| {
-        let name = path.rsplit('/').next().unwrap_or(path);
-        name.split('.').next().unwrap_or(name).to_owned()
-    };
     let file = stem(file);
     let named = |name: &str| {
         let scenes = task.scenes.iter().enumerate();
@@ -148,7 +183,7 @@ fn scenes_of(task: &Task, file: &str, tree: &PixelFacts) -> Vec<usize> {
     if !by_word.is_empty() {
         return by_word;
     }
-    let by_file = named(&file);
+    let by_file = named(file);
     if !by_file.is_empty() || task.scenes.len() > 1 {
         return by_file;
     }

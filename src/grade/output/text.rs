@@ -10,6 +10,7 @@ use crate::grade::quantity::field;
 use crate::grade::report::{Marked, Report};
 use crate::grade::task::{Check, Say};
 use crate::grade::value::shown;
+use crate::trace::format::counted;
 
 /// Problems that are told.
 const TOLD: usize = 5;
@@ -86,7 +87,8 @@ pub fn submission(audience: Audience, marked: &Marked) -> String {
         let _ = writeln!(out, "  {label}{}", shown(problem));
     }
     if marked.problems.len() > TOLD {
-        let _ = writeln!(out, "  and {} problems more", marked.problems.len() - TOLD);
+        let more = counted((marked.problems.len() - TOLD) as u64, "more problem");
+        let _ = writeln!(out, "  and {more}");
     }
     out
 }

@@ -10,6 +10,7 @@ use super::limits::{
 use super::path::{archive_kind, cleaned, is_hidden};
 use super::{Submission, SubmittedFile};
 use crate::scene::printable::excerpt;
+use crate::trace::format::counted;
 
 /// What was read so far.
 #[derive(Debug, Default)]
@@ -139,7 +140,8 @@ impl Gathered {
     pub fn submission(mut self, name: String) -> Submission {
         self.files.sort_by(|a, b| a.name.cmp(&b.name));
         if self.untold > 0 {
-            self.problems.push(format!("{} more problems", self.untold));
+            self.problems
+                .push(counted(self.untold as u64, "more problem"));
         }
         Submission {
             name,

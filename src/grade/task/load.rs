@@ -16,6 +16,7 @@ use crate::grade::tolerance::Tolerances;
 use crate::scene::effects::effects;
 use crate::scene::{Bend, Bends, load};
 use crate::trace::facts::PixelFacts;
+use crate::trace::query::unknown_names;
 use crate::world::World;
 
 /// Checks of a task at most.
@@ -327,7 +328,13 @@ impl Task {
                 Ok(pixels)
             }
             Some(PixelsFile::List(_)) => Err(format!("has more than {MAX_PIXELS} pixels")),
-            Some(PixelsFile::Drawn(rule)) => draw(scene, rule, file.depth),
+            Some(PixelsFile::Drawn(rule)) => {
+                let query = rule.r#where.as_ref().and_then(|text| text.parse().ok());
+                let unknown = query.and_then(|q| unknown_names(&q, &scene.world.scene));
+                let unknown = unknown.map(|what| format!("check `{}`: `where`: {what}", file.id));
+                self.warnings.extend(unknown);
+                draw(&self.scenes[index], rule, file.depth)
+            }
         }
     }
 }

@@ -1,11 +1,16 @@
 //! The parts of a task file: its text, its paths, its settings and tolerances.
 
+use std::io::Read as _;
 use std::path::{Component, Path, PathBuf};
 
+use serde::de::IgnoredAny;
+
+use super::advice::explained;
 use super::error::TaskError;
 use super::{TaskFile, ToleranceValue};
 use crate::grade::quantity::QuantityKind;
 use crate::grade::tolerance::{Allowance, Tolerances};
+use crate::scene::read::files::{regular, unreadable};
 use crate::scene::settings::knobs::set_knob;
 use crate::scene::{Bend, Bends, Settings};
 
@@ -18,11 +23,14 @@ pub fn read(path: &str) -> Result<(TaskFile, String), TaskError> {
         file: path.to_owned(),
         what,
     };
-    let size = std::fs::metadata(path).map_err(|e| wrong(format!("cannot be read: {e}")))?;
-    if !size.is_file() || size.len() > MAX_TASK_BYTES {
+    let (mut opened, length) =
+        regular(Path::new(path), ".toml or .json").map_err(|problem| problem.in_file(path))?;
+    if length > MAX_TASK_BYTES {
         return Err(wrong("is no file of at most 1 MiB".to_owned()));
     }
-    let text = std::fs::read_to_string(path).map_err(|e| wrong(format!("cannot be read: {e}")))?;
+    let mut text = String::new();
+    let read = opened.read_to_string(&mut text);
+    read.map_err(|error| unreadable(&error).in_file(path))?;
     let file = parse(&text).map_err(wrong)?;
     Ok((file, text))
 }
@@ -30,13 +38,18 @@ pub fn read(path: &str) -> Result<(TaskFile, String), TaskError> {
 /// A task file from its text: JSON if it begins with a bracket, else TOML.
 pub fn parse(text: &str) -> Result<TaskFile, String> {
     if text.trim_start().starts_with('{') {
-        return serde_json::from_str(text).map_err(|e| format!("is no task: {e}"));
+        let broken = serde_json::from_str::<IgnoredAny>(text).err();
+        return serde_json::from_str(text).map_err(|error| match broken {
+            None => format!("is no task: {}", explained(&error.to_string())),
+            Some(broken) => format!("is no JSON: {}", explained(&broken.to_string())),
+        });
     }
     toml::from_str(text).map_err(|e| {
         let line = e.span().map_or(1, |span| {
             text[..span.start.min(text.len())].lines().count().max(1)
         });
-        format!("line {line}: {}", e.message())
+        let message = e.message().replace('\n', ", ");
+        format!("line {line}: {}", explained(&message))
     })
 }
 
@@ -103,4 +116,36 @@ pub fn tolerances(file: &TaskFile) -> Result<Tolerances, String> {
         all.0.insert(quantity, Allowance { absolute, relative });
     }
     Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_wrong_with_a_task_is_told_with_a_cure() {
+        for (text, what, cure) in [
+            ("", "`format`", "write format = \"raytree-task/1\""),
+            ("format = \"raytree-task/1\"", "`name`", "write name = "),
+            (
+                "format = \"raytree-task/1\"\nname = \"a\"",
+                "`check`",
+                "[[check]]",
+            ),
+            (
+                "format = \"raytree-task/1\"\nname = \"a\"\n[[check]]\nid = \"a\"\nscene = \"b\"",
+                "`points`",
+                "write points = 4",
+            ),
+            ("nam = \"a\"", "`nam`", "did you mean `name`?"),
+            ("{\"nam\": 1}", "`nam`", "did you mean `name`?"),
+            ("{\"name\": \"a\"}", "`format`", "raytree-task/1"),
+            ("name = ", "line 1", "lessons/tasks/hits.toml"),
+            ("{\"name\": 1", "is no JSON", "lessons/tasks/hits.toml"),
+        ] {
+            let said = parse(text).expect_err(text);
+            assert!(said.contains(what) && said.contains(cure), "{text}: {said}");
+            assert!(!said.contains('\n'), "{said}");
+        }
+    }
 }

@@ -7,6 +7,7 @@ mod expected;
 mod light;
 mod material;
 mod object;
+mod other_format;
 mod parse;
 mod settings;
 mod shape;

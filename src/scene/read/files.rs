@@ -270,7 +270,7 @@ fn missing() -> Problem {
 }
 
 /// Problem for an error of the operating system.
-fn unreadable(error: &std::io::Error) -> Problem {
+pub fn unreadable(error: &std::io::Error) -> Problem {
     match error.kind() {
         std::io::ErrorKind::NotFound => missing(),
         std::io::ErrorKind::PermissionDenied => {

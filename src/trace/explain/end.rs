@@ -6,7 +6,7 @@ use super::term::weighted;
 use crate::math::Rgb;
 use crate::probe::RayKind;
 use crate::trace::View;
-use crate::trace::format::{num, rgb, vec3};
+use crate::trace::format::{counted, num, rgb, vec3};
 use crate::trace::ledger::{self, Summand};
 
 /// A ray leaves the scene.
@@ -85,7 +85,7 @@ pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
     );
     for estimate in view.light_estimates(node) {
         let light = view.light_name(estimate.light);
-        let name = format!("+ {light}, {} samples", estimate.lit);
+        let name = format!("+ {light}, {}", counted(estimate.lit.into(), "sample"));
         explanation = explanation.color(name, estimate.mean);
     }
     for summand in ledger::summands(tree, node) {

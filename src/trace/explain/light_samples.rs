@@ -2,7 +2,7 @@
 
 use super::Explanation;
 use crate::trace::View;
-use crate::trace::format::num;
+use crate::trace::format::{counted, num};
 
 /// The shadow rays to an area light, taken together.
 pub fn light_samples(view: View, node: u32, light: u32) -> Explanation {
@@ -10,7 +10,7 @@ pub fn light_samples(view: View, node: u32, light: u32) -> Explanation {
     let n = view.settings.rays_to_area();
     let estimate = view.light_estimate(node, light);
     let explanation = Explanation::new(
-        format!("{n} rays to `{name}`"),
+        format!("{} to `{name}`", counted(n.into(), "ray")),
         "How much of the light can be seen from here is guessed from places on it: the more, the nearer to the truth.",
     )
     .row("", "Kd/pi integral of Le V cos cos' / r^2 over the light's area")

@@ -47,7 +47,8 @@ impl fmt::Display for Dot<'_> {
         if left_out > 0 {
             writeln!(
                 f,
-                "  more [label=\"{left_out} more rays\", shape=plaintext, style=\"\"];"
+                "  more [label=\"{}\", shape=plaintext, style=\"\"];",
+                counted(left_out as u64, "more ray")
             )?;
         }
         writeln!(f, "}}")
@@ -59,7 +60,7 @@ fn absences(f: &mut fmt::Formatter, figures: &[Figure]) -> fmt::Result {
     let figures = figures.iter().enumerate();
     let absent = figures.flat_map(|(i, figure)| figure.node.absent.iter().map(move |a| (i, a)));
     for (number, (i, absent)) in absent.enumerate() {
-        let reason: &str = absent.reason.into();
+        let reason = absent.reason.words();
         let label = escape(&format!("no {}: {reason}", absent.kind.letter()));
         writeln!(
             f,

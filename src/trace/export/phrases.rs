@@ -79,7 +79,7 @@ pub fn step(step: &TraversalStep) -> String {
             reason,
         } => {
             let at = t.map_or(String::new(), |t| format!(" at t = {}", num(t)));
-            format!("test {object} {primitive}: {}{at}, {reason}", result.name())
+            format!("test {object} {primitive}: {}{at}, {reason}", result.word())
         }
     }
 }

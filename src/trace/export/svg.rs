@@ -5,6 +5,7 @@ use std::fmt;
 use super::tree_layout::{Corner, Figure, GAP, HEIGHT, WIDTH, figures, hex, ink, layout};
 use super::{heading, xml};
 use crate::trace::document::Document;
+use crate::trace::format::counted;
 
 /// Letters of a line in a box.
 const LETTERS: usize = 24;
@@ -30,7 +31,7 @@ impl fmt::Display for Svg<'_> {
         writeln!(f, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>")?;
         let more = match left_out {
             0 => String::new(),
-            _ => format!(" ({left_out} more rays not shown)"),
+            _ => format!(" ({} not shown)", counted(left_out as u64, "more ray")),
         };
         let heading = xml::escape(&heading(self.0));
         writeln!(f, "<text x=\"{GAP}\" y=\"24\">{heading}{more}</text>")?;

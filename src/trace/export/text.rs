@@ -7,7 +7,7 @@ use super::phrases;
 use crate::probe::RayKind;
 use crate::scene::printable::printable;
 use crate::trace::document::{Document, LightSummary, RayInTree, RayNode, RayOutcome, SampleTree};
-use crate::trace::format::{num, rgb, triple};
+use crate::trace::format::{counted, num, percent, rgb, triple};
 
 /// A document written as text by `Display`.
 pub struct Text<'a>(pub &'a Document);
@@ -18,10 +18,10 @@ impl fmt::Display for Text<'_> {
         let [r, g, b] = document.color.srgb8;
         writeln!(
             f,
-            "{}: {} = sRGB ({r}, {g}, {b}), {} rays",
+            "{}: {} = sRGB ({r}, {g}, {b}), {}",
             printable(&super::heading(document)),
             rgb(document.color.linear),
-            document.rays,
+            counted(document.rays, "ray"),
         )?;
         if let Some(cut) = document.cut {
             let (depth, weight, share) = (cut.depth, cut.weight, num(100.0 * cut.share));
@@ -47,7 +47,7 @@ impl fmt::Display for Text<'_> {
         if let Some(dropped) = document.truncated {
             writeln!(
                 f,
-                "... the log is full: {dropped} more events were not kept"
+                "... the log is full; events that were not kept: {dropped}"
             )?;
         }
         Ok(())
@@ -110,10 +110,10 @@ fn summary(document: &Document, sample: &SampleTree, ray: &RayInTree) -> String 
         return format!("{letter} to {light} along {along}{away}: {end}");
     }
     format!(
-        "{letter} {end}, radiance {}, weight {}, {:.1} % of the pixel",
+        "{letter} {end}, radiance {}, weight {}, {} of the pixel",
         rgb(node.radiance.unwrap_or_default()),
         rgb(node.weight.unwrap_or_default()),
-        document.fraction(sample, ray.contribution) * 100.0
+        percent(document.fraction(sample, ray.contribution))
     )
 }
 
@@ -137,7 +137,7 @@ fn details(node: &RayNode, lights: &Lights) -> Vec<String> {
     let mut terms = Vec::new();
     let mut secondary = Vec::new();
     for absent in &node.absent {
-        let (kind, reason): (_, &str) = (absent.kind.letter(), absent.reason.into());
+        let (kind, reason) = (absent.kind.letter(), absent.reason.words());
         match &absent.light {
             Some(light) => terms.push((light.as_str(), format!("no {kind} {light}: {reason}"))),
             None => secondary.push(format!("no {kind}: {reason}")),
@@ -168,11 +168,11 @@ fn area_light(summary: &LightSummary) -> String {
         .standard_error
         .map_or(String::new(), |error| format!(" +- {}", num(error)));
     format!(
-        "+ {} {}{error}: {} of {} samples lit, {} blocked",
+        "+ {} {}{error}: {} of {} lit, {} blocked",
         summary.light,
         rgb(summary.mean),
         summary.lit,
-        summary.samples,
+        counted(summary.samples.into(), "sample"),
         summary.blocked
     )
 }

@@ -2,7 +2,7 @@
 
 use crate::probe::RayKind;
 use crate::trace::document::{Document, RayInTree, RayNode, RayOutcome, SampleTree};
-use crate::trace::format::num;
+use crate::trace::format::{num, percent};
 
 pub use crate::scene::limits::MAX_DIAGRAM_NODES as MAX_NODES;
 
@@ -79,7 +79,6 @@ fn figure<'a>(
         _ => (node.radiance.unwrap_or_default() * document.settings.exposure).to_srgb8(),
     };
     let light = node.light.as_deref().unwrap_or_default();
-    let percent = document.fraction(sample, ray.contribution) * 100.0;
     Figure {
         node,
         parent: ray.parent.map(|parent| first + parent),
@@ -88,7 +87,7 @@ fn figure<'a>(
             kind => format!("{} {}", kind.letter(), node.id),
         },
         end,
-        percent: format!("{percent:.1} %"),
+        percent: percent(document.fraction(sample, ray.contribution)),
         fill,
         color: match node.kind {
             RayKind::Incident => "#444444",

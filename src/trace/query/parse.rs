@@ -180,10 +180,13 @@ fn property(at: usize, word: &str) -> Result<TreeQuery, QueryError> {
         "absent" => {
             let reasons = AbsenceReason::VARIANTS;
             let Some(reason) = reasons.iter().find(|reason| **reason == name) else {
-                let cure = format!("the reasons are: {}", reasons.join(", "));
+                let cure = match did_you_mean(name, reasons.iter().copied()) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None => format!("the reasons are: {}", reasons.join(", ")),
+                };
                 return Err(error(
-                    at,
-                    format!("`{name}` is no reason why a ray is not sent"),
+                    at + "absent:".len(),
+                    format!("`{name}` is no reason for absence"),
                     cure,
                 ));
             };
@@ -191,8 +194,8 @@ fn property(at: usize, word: &str) -> Result<TreeQuery, QueryError> {
         }
         "path" => path(name).ok_or_else(|| {
             error(
-                at,
-                format!("`{word}` is no path"),
+                at + "path:".len(),
+                format!("`{name}` is no path"),
                 "write the kinds of rays and an object, such as path:TT>floor",
             )
         })?,
@@ -227,17 +230,36 @@ fn quantity(at: usize, word: &str) -> Result<NodeQuantity, QueryError> {
     let of_light =
         of_light.and_then(|(key, light)| NodeQuantity::of_light(key, Pattern(light.to_string())));
     of_light.ok_or_else(|| {
+        if let Some(error) = no_number(at, word) {
+            return error;
+        }
         let plain = NodeQuantity::PLAIN.map(|(name, _)| name.to_string());
         let of_lights = NodeQuantity::OF_LIGHTS.map(|name| format!("{name}:LIGHT"));
         let all = [plain.as_slice(), of_lights.as_slice()].concat();
         let guess = did_you_mean(word, all.iter().map(String::as_str));
-        let guess = guess.map_or(String::new(), |near| format!("did you mean `{near}`? "));
-        error(
-            at,
-            format!("`{word}` is no quantity"),
-            format!("{guess}there are: {}", all.join(", ")),
-        )
+        let cure = match guess {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("there are: {}", all.join(", ")),
+        };
+        error(at, format!("`{word}` is no quantity"), cure)
     })
+}
+
+/// A property that is compared as if it were a number.
+fn no_number(at: usize, word: &str) -> Option<QueryError> {
+    let (_, property) = WORDS.iter().find(|(name, _)| *name == word)?;
+    let what = match property {
+        Property::Kind(_) => "a kind of ray",
+        _ => "true or false",
+    };
+    Some(error(
+        at,
+        format!("`{word}` is {what} and no number"),
+        match word {
+            "R" | "T" => format!("write `{word} and t > 3`, or compare `reflectance`"),
+            _ => format!("write `{word}` alone, or `{word} and t > 3`"),
+        },
+    ))
 }
 
 fn unknown(at: usize, word: &str) -> QueryError {
@@ -257,18 +279,14 @@ fn unknown(at: usize, word: &str) -> QueryError {
     } else {
         did_you_mean(key, alone.clone().chain(with_name).chain(quantities))
     };
-    let guess = guess.map_or(String::new(), |near| format!("did you mean `{near}`? "));
+    let what = format!("`{word}` is no property of a ray");
+    if let Some(near) = guess {
+        return error(at, what, format!("did you mean `{near}`?"));
+    }
     let examples: Vec<&str> = NAMED.iter().map(|(_, example)| *example).collect();
     let alone: Vec<&str> = alone.collect();
-    error(
-        at,
-        format!("`{word}` is no property of a ray"),
-        format!(
-            "{guess}there are: {}, {}",
-            alone.join(", "),
-            examples.join(", ")
-        ),
-    )
+    let all = format!("there are: {}, {}", alone.join(", "), examples.join(", "));
+    error(at, what, all)
 }
 
 #[cfg(test)]
@@ -321,13 +339,27 @@ mod tests {
             ("(hit", 4, "closing bracket"),
             ("hit !", 4, "`!=`"),
             ("some hit", 5, "brackets"),
-            ("absent:x", 0, "total-internal-reflection"),
-            ("path:X>y", 0, "path:TT>floor"),
+            ("absent:x", 7, "total-internal-reflection"),
+            ("absent:depth-limits", 7, "did you mean `depth-limit`?"),
+            ("hit and absent:x", 15, "no reason"),
+            ("path:X>y", 5, "path:TT>floor"),
+            ("R > 3", 0, "a kind of ray"),
+            ("R > 3", 0, "`reflectance`"),
+            ("L < 3", 0, "`L and t > 3`"),
+            ("hit = 1", 0, "true or false"),
+            ("depth => 3", 6, "did you mean `>=`?"),
+            ("depth =< 3", 6, "did you mean `<=`?"),
+            ("depth == 3", 6, "did you mean `=`?"),
+            ("depth <> 3", 6, "did you mean `!=`?"),
             ("hits:\"a", 0, "quotation mark"),
         ] {
             let error = text.parse::<TreeQuery>().expect_err(text);
             assert_eq!(error.at, at, "{text}: {error}");
-            assert!(error.to_string().contains(words), "{text}: {error}");
+            let said = error.to_string();
+            assert!(said.contains(words), "{text}: {error}");
+            // What is meant fits a line of a terminal.
+            let has_guess = said.contains("did you mean");
+            assert!(!has_guess || said.chars().count() <= 79, "{said}");
         }
         let deep = format!("{}hit{}", "(".repeat(900), ")".repeat(900));
         assert!(deep.parse::<TreeQuery>().is_err());

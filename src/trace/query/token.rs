@@ -39,6 +39,10 @@ pub fn tokens(text: &str) -> Result<Vec<(usize, Token)>, QueryError> {
             '(' => Token::Open,
             ')' => Token::Close,
             '<' | '>' | '=' | '!' => {
+                if let Some(meant) = misspelt(letter, letters.get(next)) {
+                    let what = "this is no comparison";
+                    return Err(error(at, what, format!("did you mean `{meant}`?")));
+                }
                 let equal = letters.get(next) == Some(&'=');
                 next += usize::from(equal && letter != '=');
                 Token::Compare(match (letter, equal) {
@@ -66,6 +70,17 @@ pub fn tokens(text: &str) -> Result<Vec<(usize, Token)>, QueryError> {
         tokens.push((at, token));
     }
     Ok(tokens)
+}
+
+/// The comparison that other languages, or tired fingers, write so.
+fn misspelt(first: char, second: Option<&char>) -> Option<&'static str> {
+    match (first, second?) {
+        ('=', '>') => Some(">="),
+        ('=', '<') => Some("<="),
+        ('=', '=') => Some("="),
+        ('<', '>') => Some("!="),
+        _ => None,
+    }
 }
 
 /// The word that begins at a letter, without its quotes, and where it ends.

@@ -46,6 +46,11 @@ impl ReadError {
         }
     }
 
+    /// The error in a line, for lists of problems.
+    pub fn in_a_line(&self) -> String {
+        self.to_string().replacen("\n  ", "; ", 1)
+    }
+
     /// The error as one of this pixel.
     pub(super) fn of(self, name: &PixelName) -> Self {
         Self {

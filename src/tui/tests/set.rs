@@ -83,11 +83,7 @@ fn a_bend_is_told_by_the_difference_of_the_trees() {
     assert!(text(&app).contains("beside pixel 3,3"), "{}", text(&app));
     keys(&mut app, "q");
     enter(&mut app, "dno-such-file.json");
-    assert!(
-        text(&app).contains("no-such-file.json: cannot be read"),
-        "{}",
-        text(&app)
-    );
+    assert!(text(&app).contains("no-such-file.json: "), "{}", text(&app));
 }
 
 #[test]

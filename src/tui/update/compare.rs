@@ -1,10 +1,11 @@
 //! Comparison of the open tree with another one: of another pixel, with another setting or a bent law, or from a file.
 
 use crate::debug::Session;
+use crate::debug::edit::in_one_line;
 use crate::grade::compare::Compared;
 use crate::grade::diff::{Sides, TreeDiff};
 use crate::grade::follow::PixelReference;
-use crate::grade::pixel_tree;
+use crate::grade::pixel_tree::{self, TreeFileError};
 use crate::grade::quantity::QuantityKind;
 use crate::grade::side_by_side::{RayPair, side_by_side};
 use crate::grade::tolerance::Tolerances;
@@ -176,7 +177,10 @@ fn other(session: &Session, text: &str) -> Result<Other, String> {
     if text == "-" {
         return Err("the keys are read from standard input; name a file".to_owned());
     }
-    let facts = pixel_tree::in_file(text, Some(here)).map_err(|error| error.to_string())?;
+    let facts = pixel_tree::in_file(text, Some(here)).map_err(|error| match error {
+        TreeFileError::Unread(error) => format!("{text}: {}", in_one_line(&error)),
+        TreeFileError::Content(what) => what,
+    })?;
     Ok(Other {
         facts,
         is_same_pixel: true,

@@ -2,6 +2,7 @@
 
 use super::{history, image};
 use crate::debug::QuerySearch;
+use crate::trace::query::unknown_names;
 use crate::tui::model::{Job, Model};
 
 /// Begins to search for a query; in an open tree also for the next ray that satisfies it.
@@ -13,6 +14,10 @@ pub fn start(model: &mut Model, text: &str) -> Result<(), String> {
                 .find(&search.query, true)
                 .unwrap_or_else(|none| none),
         );
+    }
+    // A name that nothing has is likely a slip.
+    if let Some(unknown) = unknown_names(&search.query, &model.world.scene) {
+        model.message = Some(unknown);
     }
     search.is_new = model.session.is_none();
     model.search = Some(search);

@@ -23,6 +23,23 @@ fn every_prefix_of_a_scene_is_refused_without_a_panic() {
     }
 }
 
+/// What is missing may stand behind the bracket that is missing, too: the bracket is told first.
+#[test]
+fn text_that_breaks_off_is_told_before_what_is_missing() {
+    let broken = r#"{"format": "raytree-scene/1", "camera": {"eye": [0, 0, 5]}, "objects": [{"sphere": {"radus": 1}}"#;
+    let told = refused(broken.as_bytes());
+    assert_says(
+        &told,
+        &["a.json:1:", "ends in the middle", "close every bracket"],
+    );
+    assert!(
+        !told.contains("look_at") && !told.contains("radus"),
+        "{told}"
+    );
+    let closed = format!("{broken}]}}");
+    assert_says(&refused(closed.as_bytes()), &["look_at"]);
+}
+
 #[test]
 fn unknown_field() {
     let text = sphere(r#""center": [0, 0, 0], "radus": 1"#);

@@ -81,7 +81,7 @@ fn what_does_not_belong_together_is_not_merged() {
         ("a.json d.json", "some are not"),
         ("a.json e.json", "two versions"),
         ("f.json", "is no raytree-grade/1"),
-        ("none.json", "cannot be read"),
+        ("none.json", "there is no such file"),
     ] {
         let (status, _, told) = class.run(&format!("--merge {files}"));
         assert_eq!(status, 1, "{files}: {told}");

@@ -52,7 +52,7 @@ fn rays_that_were_not_sent_stand_at_the_hit_with_their_reasons() {
         for ray in rays {
             for absent in &ray.node.absent {
                 expected.push((ray.node.id, absent.kind.letter()));
-                reasons.insert(<&str>::from(absent.reason));
+                reasons.insert(absent.reason.words());
             }
         }
         let mut found = Vec::new();

@@ -31,7 +31,7 @@ fn a_log_that_is_full_ends_with_status_three() {
     assert!(!whole.contains("the log is full"), "{whole}");
     let full = trace("36", 3);
     assert!(
-        full.contains("the log is full") && full.contains("events were not kept"),
+        full.contains("the log is full") && full.contains("events that were not kept"),
         "{full}"
     );
     // What it ends in is still a tree, whose last ray has no end.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::{cell, escape, number, table};
 use crate::grade::output::document::GradeDocument;
 use crate::grade::output::text;
+use crate::trace::format::counted;
 
 /// The view of the class.
 pub fn view(document: &GradeDocument) -> String {
@@ -14,7 +15,10 @@ pub fn view(document: &GradeDocument) -> String {
     }
     let percents = document.submissions.iter().map(|s| s.percent);
     let mean = percents.sum::<u64>() as f64 / count as f64;
-    let head = format!("<h2>The class</h2>\n<p>{count} submissions; {mean:.0} % on average.</p>\n");
+    let head = format!(
+        "<h2>The class</h2>\n<p>{}; {mean:.0} % on average.</p>\n",
+        counted(count as u64, "submission")
+    );
     head + &checks(document) + &mistakes(document) + &unknown(document)
 }
 

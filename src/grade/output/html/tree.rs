@@ -42,7 +42,7 @@ pub fn table_of(say: Say, ours: &PixelFacts, kept: &CausingTree) -> String {
     let table = table("tree", &heads, rows.into_iter());
     match ours.rays.len().saturating_sub(MOST_RAYS) {
         0 => table,
-        more => format!("{table}<p>{more} rays more are not shown.</p>\n"),
+        more => format!("{table}<p>Rays that are not shown: {more}.</p>\n"),
     }
 }
 

@@ -3,9 +3,13 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::de::{Deserialize, DeserializeSeed as _, Deserializer, Error, MapAccess, Visitor};
+use serde::de::{
+    Deserialize, DeserializeSeed as _, Deserializer, Error, IgnoredAny, MapAccess, Visitor,
+};
+use serde_json::error::Category;
 
 use super::SceneFile;
+use super::other_format::other_format;
 use super::shape::{Comparison, Part};
 use super::syntax::{self, word_at};
 use crate::scene::read::error::{Problem, SceneError};
@@ -34,25 +38,59 @@ pub fn parse(text: &str, file: &str) -> Result<SceneFile, SceneError> {
 
 /// The parser's error with its line, its path and a cure.
 fn explained(error: &serde_json::Error, text: &str, file: &str) -> SceneError {
+    if let Some(problem) = other_format(text) {
+        return problem.in_file(file);
+    }
     let place = Comparison::default();
     let mut deserializer = serde_json::Deserializer::from_str(text);
     let compared = Part::scene(&place)
         .deserialize(&mut deserializer)
         .and_then(|()| deserializer.end());
     let error = compared.as_ref().err().unwrap_or(error);
-    let (line, column) = (error.line(), error.column());
-    let problem = place.problem.take().unwrap_or_else(|| {
-        let message = error.to_string();
-        let position = format!(" at line {line} column {column}");
-        let what = message.strip_suffix(&position).unwrap_or(&message);
-        syntax::problem(what, word_at(text, line, column))
-    });
+    // A field that is missing may stand behind a bracket that is: that is told first.
+    if error.classify() == Category::Data
+        && let Err(broken) = serde_json::from_str::<IgnoredAny>(text)
+    {
+        return unreadable(&broken, text, file);
+    }
+    let problem = place.problem.take();
+    let problem = problem.unwrap_or_else(|| syntax_problem(error, text));
     SceneError {
-        position: (line > 0).then_some((line, column)),
+        position: position(error, text),
         problem,
         field: place.path(),
         file: file.to_string(),
     }
+}
+
+/// The error of a text that is no JSON.
+fn unreadable(error: &serde_json::Error, text: &str, file: &str) -> SceneError {
+    SceneError {
+        position: position(error, text),
+        problem: syntax_problem(error, text),
+        field: String::new(),
+        file: file.to_string(),
+    }
+}
+
+/// Line and column of an error; of a text that breaks off those behind its last letter.
+fn position(error: &serde_json::Error, text: &str) -> Option<(usize, usize)> {
+    if error.classify() == Category::Eof {
+        let text = text.trim_end();
+        let last = text.lines().last().unwrap_or_default();
+        return Some((text.lines().count().max(1), last.len() + 1));
+    }
+    let (line, column) = (error.line(), error.column());
+    (line > 0).then_some((line, column))
+}
+
+/// What the parser says, in plain words.
+fn syntax_problem(error: &serde_json::Error, text: &str) -> Problem {
+    let (line, column) = (error.line(), error.column());
+    let message = error.to_string();
+    let position = format!(" at line {line} column {column}");
+    let what = message.strip_suffix(&position).unwrap_or(&message);
+    syntax::problem(what, word_at(text, line, column))
 }
 
 /// A JSON object as a map, in which no name may stand twice (serde would keep the last).

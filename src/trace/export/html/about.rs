@@ -6,17 +6,17 @@ use crate::probe::RayKind;
 use crate::trace::document::Document;
 use crate::trace::export::tree_layout::hex;
 use crate::trace::export::xml::escape;
-use crate::trace::format::{num, rgb};
+use crate::trace::format::{counted, num, rgb};
 
 /// The pixel's colour, and what has to be known about it.
 pub fn pixel(f: &mut Formatter, document: &Document) -> Result {
     let [r, g, b] = document.color.srgb8;
     writeln!(
         f,
-        "<p class=c style=--c:{}>{} = sRGB ({r}, {g}, {b}), {} rays, depth {}, least weight {}",
+        "<p class=c style=--c:{}>{} = sRGB ({r}, {g}, {b}), {}, depth {}, least weight {}",
         hex(document.color.srgb8),
         rgb(document.color.linear),
-        document.rays,
+        counted(document.rays, "ray"),
         document.settings.depth,
         num(document.settings.min_weight)
     )?;
@@ -56,7 +56,7 @@ fn remarks(document: &Document) -> Vec<String> {
     if document.spoiled > 0 {
         let spoiled = document.spoiled;
         lines.push(format!(
-            "{spoiled} samples are no finite numbers and count as black."
+            "Samples that are no finite numbers and count as black: {spoiled}."
         ));
     }
     lines.extend(
@@ -88,7 +88,7 @@ pub fn truncation(f: &mut Formatter, document: &Document) -> Result {
     match document.truncated {
         Some(dropped) => writeln!(
             f,
-            "<p>The log is full: {dropped} more events were not kept."
+            "<p>The log is full; events that were not kept: {dropped}."
         ),
         None => Ok(()),
     }

@@ -5,7 +5,7 @@ use std::fmt::{Formatter, Result};
 use crate::probe::RayKind;
 use crate::trace::document::{LightSummary, RayNode, TermValue};
 use crate::trace::export::xml::escape;
-use crate::trace::format::{num, rgb};
+use crate::trace::format::{counted, num, rgb};
 
 /// The equation of a ray's radiance: a line a summand, in the tracer's order but for area lights, each of which is one line.
 pub fn equation(f: &mut Formatter, node: &RayNode) -> Result {
@@ -79,9 +79,9 @@ fn mean(bundle: &LightSummary) -> String {
         .standard_error
         .map_or(String::new(), |error| format!(" ± {}", num(error)));
     format!(
-        "{}, mean of {} samples{error}: {}",
+        "{}, mean of {}{error}: {}",
         escape(&bundle.light),
-        bundle.samples,
+        counted(bundle.samples.into(), "sample"),
         rgb(bundle.mean)
     )
 }

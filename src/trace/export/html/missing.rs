@@ -131,8 +131,7 @@ pub fn sentences(f: &mut Formatter, document: &Document) -> Result {
     }
     f.write_str("<h2>Why rays were not sent</h2>\n<dl>\n")?;
     for reason in reasons {
-        let name: &str = reason.into();
-        writeln!(f, "<dt>{name}<dd>{}", reason.sentence())?;
+        writeln!(f, "<dt>{}<dd>{}", reason.words(), reason.sentence())?;
     }
     f.write_str("</dl>\n")
 }

@@ -10,7 +10,7 @@ use crate::trace::document::{Document, RayInTree, RayNode, RayOutcome, SampleTre
 use crate::trace::export::phrases;
 use crate::trace::export::tree_layout::hex;
 use crate::trace::export::xml::escape;
-use crate::trace::format::{num, rgb, triple};
+use crate::trace::format::{counted, num, percent, rgb, triple};
 
 /// A ray, and what stands around it.
 pub struct RayOnPage<'a> {
@@ -117,7 +117,7 @@ impl RayOnPage<'_> {
 
 /// A part of the pixel's brightness, 0 to 1.
 pub fn share(fraction: f64) -> String {
-    format!("{:.1} %", fraction * 100.0)
+    percent(fraction)
 }
 
 /// The attribute of a line that ends in a square of the colour which a screen shows for a radiance.
@@ -149,14 +149,15 @@ fn steps(f: &mut Formatter, node: &RayNode) -> Result {
     }
     write!(
         f,
-        "<details><summary>{count} steps through the accelerator</summary><ol>"
+        "<details><summary>{} through the accelerator</summary><ol>",
+        counted(count as u64, "step")
     )?;
     for step in node.traversal.iter().take(MAX_PAGE_STEPS) {
         write!(f, "\n<li>{}", escape(&phrases::step(step)))?;
     }
     f.write_str("</ol>")?;
     if count > MAX_PAGE_STEPS {
-        write!(f, "<p>{} more steps are not shown", count - MAX_PAGE_STEPS)?;
+        write!(f, "<p>steps that are not shown: {}", count - MAX_PAGE_STEPS)?;
     }
     f.write_str("</details>\n")
 }

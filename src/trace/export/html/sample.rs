@@ -8,7 +8,7 @@ use crate::math::Rgb;
 use crate::probe::RayKind;
 use crate::trace::document::{Document, RayNode, SampleTree, TermValue};
 use crate::trace::export::xml::escape;
-use crate::trace::format::{num, rgb};
+use crate::trace::format::{counted, num, rgb};
 
 const CLOSE: &str = "</details>\n";
 
@@ -103,10 +103,11 @@ fn open(
     let color = color(document, mean);
     write!(f, "<details class=L><summary {color}>L ")?;
     if let Some(bundle) = bundle {
-        let (lit, blocked, samples) = (bundle.lit, bundle.blocked, bundle.samples);
+        let (lit, blocked) = (bundle.lit, bundle.blocked);
+        let samples = counted(bundle.samples.into(), "sample");
         write!(
             f,
-            "to {}: {lit} of {samples} samples lit, {blocked} blocked, mean {}",
+            "to {}: {lit} of {samples} lit, {blocked} blocked, mean {}",
             escape(light),
             rgb(mean)
         )?;
