@@ -185,13 +185,12 @@ impl Diff {
             .rsplit_once('@')
             .map_or(self.a.as_str(), |(scene, _)| scene);
         let (x, y) = of.pixel;
-        let words = match of.scene {
-            Some((world, settings)) => words(scene, settings, &world.scene),
-            None => {
-                let size = self.settings.size();
-                let size = size.map_or(String::new(), |(w, h)| format!(" --size {w}x{h}"));
-                shell_word(scene) + &size
-            }
+        let words = if let Some((world, settings)) = of.scene {
+            words(scene, settings, &world.scene)
+        } else {
+            let size = self.settings.size();
+            let size = size.map_or(String::new(), |(w, h)| format!(" --size {w}x{h}"));
+            shell_word(scene) + &size
         };
         format!("raytree view {words} --at {x},{y}{}", compared.path)
     }

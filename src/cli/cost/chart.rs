@@ -14,10 +14,13 @@ use crate::lab::{Sweep, plot};
 const WIDTH: u16 = 78;
 const HEIGHT: u16 = 18;
 
+/// A sweep in the chart: its letter, its name and its points.
+type ChartLine = (char, String, Vec<(f64, f64)>);
+
 /// The sweeps that have an error: seconds to the right, RMSE upwards. Empty if there are none.
 pub fn lines(sweeps: &[Sweep]) -> String {
     let plotted = plot::plotted(sweeps).into_iter();
-    let lines: Vec<(char, String, Vec<(f64, f64)>)> = plotted
+    let lines: Vec<ChartLine> = plotted
         .map(|(letter, name, points)| {
             let points = points.into_iter().map(|[x, y]| (x, y));
             (letter, name, points.collect())

@@ -1,7 +1,7 @@
 //! `raytree grade --merge`: the JSON of shards made one.
 
 use std::io::Read as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::outputs::target;
 use crate::cli::output::{open_all, to_stdout};
@@ -25,7 +25,7 @@ pub fn run(files: &[PathBuf], asked: &[(OutputKind, PathBuf)]) -> Result<Complet
     let read: Vec<FileId> = files.iter().filter_map(|f| FileId::at(f).ok()).collect();
     let targets: Vec<_> = asked.iter().map(target).collect();
     let places = open_all(&read, &targets)?;
-    let parts: Result<Vec<GradeDocument>, Failure> = files.iter().map(one).collect();
+    let parts: Result<Vec<GradeDocument>, Failure> = files.iter().map(|path| one(path)).collect();
     let document = merge(parts?).map_err(Failure::Input)?;
     if asked.is_empty() {
         return to_stdout(written(OutputKind::Json, &document)?.as_bytes());
@@ -44,7 +44,7 @@ fn written(kind: OutputKind, document: &GradeDocument) -> Result<String, Failure
     }
 }
 
-fn one(path: &PathBuf) -> Result<GradeDocument, Failure> {
+fn one(path: &Path) -> Result<GradeDocument, Failure> {
     let shown = excerpt(&path.to_string_lossy());
     let wrong = |what: String| Failure::Input(format!("{shown}: {what}"));
     let unread = |problem: Problem| Failure::Scene(problem.in_file(&path.to_string_lossy()));
