@@ -18,10 +18,8 @@ fn a_step_is_found_and_opened_again_from_a_pasted_line() {
     let text = here.text();
     // The message may be wrapped.
     let start = text.find("raytree view nested-glass").expect("the command");
-    let told: String = text[start..]
-        .lines()
-        .map(|line| format!("{} ", line.trim()))
-        .collect();
+    let lines: Vec<&str> = text[start..].lines().map(str::trim).collect();
+    let told = lines.join(" ");
     let words = shlex::split(&told).expect("words of a shell");
     // Behind it stand the keys.
     let end = words
