@@ -135,6 +135,45 @@ impl PartialPicture {
         ShownRange::of(self.pixels.iter().flatten().copied())
     }
 
+    /// How far two pictures are apart at each pixel: in their numbers, or in the luminance of their colours.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Self {
+        let number = |value| match value {
+            ShownValue::Number(x) => Some(x),
+            ShownValue::Color(color) => Some(color.luminance()),
+            ShownValue::Nothing => None,
+        };
+        let mut apart = self.clone();
+        for row in 0..self.window.height {
+            for column in 0..self.window.width {
+                let at = (self.window.x + column, self.window.y + row);
+                let pair = self.exact(at).zip(other.exact(at));
+                let pair = pair.map(|(a, b)| number(a).zip(number(b)));
+                apart.pixels[self.window.index(at)] = pair.map(|pair| match pair {
+                    Some((a, b)) => ShownValue::Number((a - b).abs()),
+                    None => ShownValue::Nothing,
+                });
+            }
+        }
+        apart
+    }
+
+    /// Takes over what another picture knows of the pixels of this one.
+    pub fn adopt(&mut self, other: &Self) {
+        if self.size != other.size {
+            return;
+        }
+        for row in 0..self.window.height {
+            for column in 0..self.window.width {
+                let at = (self.window.x + column, self.window.y + row);
+                if let Some(value) = other.exact(at) {
+                    self.set(at, value);
+                }
+            }
+        }
+        self.cuts = other.cuts;
+    }
+
     /// How many of the numbers that are known fall into each tenth of their range.
     pub fn tenths(&self) -> Option<(ShownRange, [usize; 10])> {
         let range = self.range()?;

@@ -2,6 +2,7 @@
 
 pub mod action;
 pub mod bindings;
+pub mod change;
 pub mod examples;
 pub mod key;
 pub mod layout;
@@ -9,12 +10,15 @@ pub mod list;
 pub mod message;
 pub mod motion;
 pub mod options;
+pub mod overlay;
 pub mod placement;
 pub mod state;
 
 pub use action::{Action, Context};
+pub use change::{Before, PendingChange};
 pub use layout::{Pane, Panes, inside};
 pub use message::{Job, JobOutput, Message, Mouse};
 pub use motion::{LogRun, Play, PlayUnit};
 pub use options::Options;
-pub use state::{Model, Overlay, PendingChange, Prompt, Request};
+pub use overlay::{Overlay, Prompt};
+pub use state::{Model, Request};

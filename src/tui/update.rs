@@ -6,6 +6,7 @@ mod convergence;
 mod dispatch;
 mod edit;
 mod effects;
+mod flip;
 mod history;
 mod image;
 mod keys;

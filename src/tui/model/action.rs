@@ -67,6 +67,10 @@ pub enum Action {
     WriteMarks,
     /// Take the last change back.
     Undo,
+    /// Show the picture before the last change, and this one again.
+    Flip,
+    /// Show how far both are apart.
+    Difference,
     /// Show what is changed.
     Changes,
     /// Ask for a file to write the changes of the scene into.

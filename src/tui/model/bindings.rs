@@ -65,6 +65,8 @@ pub const ACTIONS: &[Binding] = {
         row(Picture, false, &[(ch('x'), A::NextInOrder(true)), (ch('X'), A::NextInOrder(false))], "next in order",
             "To the pixel with the next smaller (larger) number of what is shown, or luminance."),
         row(Picture, false, &[(ch('o'), A::Outliers)], "outliers", "The pixels that stand out from their neighbours, such as fireflies; if none does, the largest."),
+        row(Picture, false, &[(key(Tab), A::Flip)], "the other picture", "The picture before the last change, and this one again: two settings in turn."),
+        row(Picture, false, &[(ch('d'), A::Difference)], "difference", "How far this picture is from the one before the last change, pixel by pixel."),
         row(Picture, false, &[(ch('w'), A::Warnings)], "warnings", "What of the scene can hardly be meant, and what to do."),
         row(Picture, false, &[(ch(':'), A::GoTo)], "go to", "To the pixel or the address that you type, such as 160,120/R."),
 

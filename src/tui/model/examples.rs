@@ -1,6 +1,6 @@
 //! Texts to begin with, where one is typed.
 
-use super::state::Prompt;
+use super::overlay::Prompt;
 use crate::debug::{breaks, edit, search};
 use crate::scene::Scene;
 

@@ -1,16 +1,18 @@
 //! Model: everything that a screen shows.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 use std::time::Instant;
 
 use ratatui::layout::Rect;
 
 use super::action::Context;
+use super::change::{Before, PendingChange};
 use super::layout::{Pane, Panes, Shown, inside};
-use super::list::PlaceList;
 use super::message::Job;
 use super::motion::{History, LogRun, Play, PlayUnit};
 use super::options::Options;
+use super::overlay::Overlay;
 use super::placement::Placement;
 use crate::debug::breaks::BreakPoint;
 use crate::debug::marks::Marks;
@@ -19,60 +21,11 @@ use crate::debug::{
 };
 use crate::lab::show::ShowMode;
 use crate::scene::effects::{Finding, findings};
-use crate::scene::{Edit, Patch, Settings, Warning, view_command};
+use crate::scene::{Patch, Settings, Warning, view_command};
 use crate::trace::Address;
 use crate::trace::address::{AddressPart, path_of};
 use crate::trace::facts::TreePath;
 use crate::world::World;
-
-/// What lies over the panes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Overlay {
-    /// The help, from this line on.
-    Help(u16),
-    /// The warnings, from this line on.
-    Warnings(u16),
-    /// A text with its title, from this line on.
-    Report(&'static str, String, u16),
-    /// A text is typed.
-    Prompt(Prompt, String),
-    /// The effects, with this one chosen.
-    Effects(usize),
-    /// Places to go to.
-    Places(PlaceList),
-}
-
-/// What a text is typed for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Prompt {
-    /// To go to an event or an address.
-    GoTo,
-    /// To search for a query.
-    Search,
-    /// To change a setting or a number of the scene.
-    Set,
-    /// To compare the open tree with another one.
-    Compare,
-    /// To mark what is shown, with a note.
-    Note,
-    /// To write the marks into a file.
-    Write,
-    /// To set a break point, or to take it away.
-    Break,
-    /// To write the changes of the scene into a file.
-    WritePatch,
-}
-
-/// A change of the scene that is being made.
-#[derive(Clone, Debug)]
-pub struct PendingChange {
-    /// Since when.
-    pub since: Instant,
-    /// All changes, from the scene as it was read.
-    pub edits: Vec<Edit>,
-    /// The text that was typed; none if a change is taken back.
-    pub typed: Option<String>,
-}
 
 /// What the debugger asks of the program around it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -149,6 +102,10 @@ pub struct Model {
     pub changing: Option<PendingChange>,
     /// The settings, and the changes of the scene, before each change, the last one at the end.
     pub undone: Vec<(Settings, Patch)>,
+    /// What the last change left: the other one of two pictures to look at in turn.
+    pub before: Option<Box<Before>>,
+    /// True if the picture shows how far both are apart.
+    pub is_difference: bool,
     /// The ray to go to when the pixel is traced again.
     pub again: Option<TreePath>,
     /// Marked places, and the number of the one that was shown last.
@@ -194,6 +151,8 @@ impl Model {
             overlay: None,
             changing: None,
             undone: Vec::new(),
+            before: None,
+            is_difference: false,
             again: None,
             marks,
             marked: 0,
@@ -234,6 +193,28 @@ impl Model {
             warnings.extend(cuts.warning(&self.options.scene, &self.world.scene, &self.settings));
         }
         warnings
+    }
+
+    /// The picture before, if it is shown how far this one is from that.
+    fn other(&self) -> Option<&PartialPicture> {
+        let before = self.before.as_ref().filter(|_| self.is_difference)?;
+        (before.show == self.show).then_some(&before.picture)
+    }
+
+    /// What the picture shows: itself, or how far it is from the one before.
+    pub fn shown(&self) -> Cow<'_, PartialPicture> {
+        match self.other() {
+            Some(other) => Cow::Owned(self.picture.minus(other)),
+            None => Cow::Borrowed(&self.picture),
+        }
+    }
+
+    /// What its numbers are; none if it shows colours.
+    pub fn unit(&self) -> Option<&'static str> {
+        if self.other().is_some() {
+            return Some("difference");
+        }
+        self.show.map(ShowMode::unit)
     }
 
     /// True while the cursor moves by itself.

@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 use super::text::{columns, shortened, write};
 use super::theme;
 use crate::debug::effects::deviations;
-use crate::lab::show::{ShowMode, ShownRange, ShownValue, scale};
+use crate::lab::show::{ShownRange, ShownValue, scale};
 use crate::scene::{Scene, trace_command};
 use crate::trace::format::{counted, num};
 use crate::tui::model::Model;
@@ -63,8 +63,8 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
     if let Some(search) = &model.search {
         line.push_span(Span::raw(format!("{}  ", search.told((x, y)))).bold());
     }
-    match model.picture.exact((x, y)) {
-        Some(value) if model.show.is_some() => line.extend(shown(model, value)),
+    match model.shown().exact((x, y)) {
+        Some(value) if model.unit().is_some() => line.extend(shown(model, value)),
         Some(ShownValue::Color(color)) => {
             let shown = color * model.settings.image.exposure;
             let [r, g, b] = shown.to_srgb8();
@@ -95,8 +95,8 @@ const BARS: [&str; 8] = ["▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"]
 /// What the pixel shows in the place of its colour, and a legend: the range of the picture, with a bar for each tenth of it in its
 /// colour, as high as there are many such pixels.
 fn shown(model: &Model, value: ShownValue) -> Vec<Span<'static>> {
-    let mode = model.show.map_or("", ShowMode::unit);
-    let (ShownValue::Number(x), Some((range, bins))) = (value, model.picture.tenths()) else {
+    let mode = model.unit().unwrap_or_default();
+    let (ShownValue::Number(x), Some((range, bins))) = (value, model.shown().tenths()) else {
         return vec![Span::raw(format!("{mode}  ")).bold()];
     };
     let most = bins.iter().copied().max().unwrap_or(0).max(1);

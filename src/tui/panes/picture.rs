@@ -19,11 +19,12 @@ const DARKER: f64 = 0.15;
 pub fn draw(model: &Model, placement: &Placement, buffer: &mut Buffer) {
     let cells = placement.cells;
     let exposure = model.settings.image.exposure;
-    let range = model.picture.range().unwrap_or(ShownRange(0.0, 0.0));
+    let (picture, unit) = (model.shown(), model.unit());
+    let range = picture.range().unwrap_or(ShownRange(0.0, 0.0));
     let color = |column, half| {
         let at = placement.half(column, half)?;
-        let color = match model.picture.nearest(at)? {
-            ShownValue::Color(color) if model.show.is_none() => color * exposure,
+        let color = match picture.nearest(at)? {
+            ShownValue::Color(color) if unit.is_none() => color * exposure,
             value => range.color(value),
         };
         let is_left_out = |search: &QuerySearch| search.is_found(at) == Some(false);

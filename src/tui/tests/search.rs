@@ -117,6 +117,9 @@ fn rays_of_a_tree_are_found_both_ways() {
     assert_eq!(app.model.session.as_ref().expect("a tree").cursor(), first);
     keys(&mut app, "/hits:nothing");
     super::support::key(&mut app, KeyCode::Enter);
+    assert!(text(&app).contains("nothing"), "{}", text(&app));
+    keys(&mut app, "/depth >= 99");
+    super::support::key(&mut app, KeyCode::Enter);
     assert!(
         text(&app).contains("no ray of this tree satisfies it"),
         "{}",

@@ -156,3 +156,50 @@ fn marks_are_walked_and_written_and_opened_again() {
     settle(&mut there);
     assert_eq!(there.model.address(), marked);
 }
+
+#[test]
+fn two_settings_are_seen_in_turn_and_their_difference() {
+    let mut app = app(60, 20);
+    key(&mut app, KeyCode::Tab);
+    assert!(
+        text(&app).contains("there is no other picture"),
+        "{}",
+        text(&app)
+    );
+    // What stands above the line of keys is the same with each.
+    let picture = |app: &Program| {
+        let drawn = buffer(app);
+        let cells = app.model.panes().picture;
+        let rows = cells.y..cells.bottom();
+        rows.flat_map(|y| (cells.x..cells.right()).map(move |x| (x, y)))
+            .map(|at| drawn[at].clone())
+            .collect::<Vec<_>>()
+    };
+    keys(&mut app, "j");
+    keys(&mut app, "k");
+    let exact = picture(&app);
+    enter(&mut app, "=fresnel=none");
+    keys(&mut app, "j");
+    keys(&mut app, "k");
+    let none = picture(&app);
+    assert_ne!(exact, none);
+    for expected in [&exact, &none, &exact] {
+        key(&mut app, KeyCode::Tab);
+        keys(&mut app, "jk");
+        assert!(picture(&app) == *expected);
+    }
+    // The pictures are apart where there is glass, and nowhere else.
+    keys(&mut app, "d");
+    assert!(text(&app).contains("difference: "), "{}", text(&app));
+    let apart = app.model.shown();
+    let (mut same, mut other) = (0, 0);
+    let (width, height) = app.model.picture.size;
+    for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        match apart.exact(at) {
+            Some(crate::lab::show::ShownValue::Number(0.0)) => same += 1,
+            Some(crate::lab::show::ShownValue::Number(_)) => other += 1,
+            shown => panic!("{at:?}: {shown:?}"),
+        }
+    }
+    assert!(same > other && other > 20, "{same}, {other}");
+}

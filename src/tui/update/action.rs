@@ -1,8 +1,8 @@
 //! Actions of the table of keys.
 
 use super::{
-    convergence, edit, effects, history, image, marks, places, play, prompt, ranking, rows, run,
-    search, set,
+    convergence, edit, effects, flip, history, image, marks, places, play, prompt, ranking, rows,
+    run, search, set,
 };
 use crate::tui::model::{Action, Job, Model, Overlay, Prompt, Request, inside};
 
@@ -57,6 +57,8 @@ pub fn act(model: &mut Model, action: Action) {
         Action::NextMark => marks::next(model),
         Action::WriteMarks => prompt::ask(model, Prompt::Write),
         Action::NextSeed => set::next_seed(model),
+        Action::Flip => flip::flip(model),
+        Action::Difference => flip::difference(model),
         Action::Undo => edit::undo(model),
         Action::Changes => edit::show(model),
         Action::WritePatch => prompt::ask(model, Prompt::WritePatch),

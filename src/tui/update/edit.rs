@@ -19,7 +19,8 @@ pub fn start(model: &mut Model, text: &str) {
     ask(model, edits, Some(text.to_owned()));
 }
 
-fn ask(model: &mut Model, edits: Vec<Edit>, typed: Option<String>) {
+/// Asks for a world that is changed in this way; `typed` is what a user typed for it, none if a change is taken back.
+pub fn ask(model: &mut Model, edits: Vec<Edit>, typed: Option<String>) {
     model.changing = Some(PendingChange {
         since: Instant::now(),
         edits,

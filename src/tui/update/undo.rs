@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::image;
 use crate::scene::Settings;
-use crate::tui::model::Model;
+use crate::tui::model::{Before, Model};
 use crate::world::World;
 
 /// Changes that can be undone.
@@ -24,6 +24,12 @@ pub fn remember(model: &mut Model) {
         model.undone.remove(0);
     }
     model.undone.push((model.settings, model.patch.clone()));
+    model.before = Some(Box::new(Before {
+        settings: model.settings,
+        patch: model.patch.clone(),
+        show: model.show,
+        picture: model.picture.clone(),
+    }));
 }
 
 /// Goes on with these settings.
