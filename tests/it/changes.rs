@@ -83,7 +83,7 @@ fn every_command_takes_changes_and_agrees_on_them() {
         &["patch.json: this file is read, and would be replaced"],
     );
 
-    let found = |args: &[&str]| done(&with("find", args, &["tir"])).out;
+    let found = |args: &[&str]| done(&with("find", args, &["hits:floor"])).out;
     assert_eq!(found(&by_file), found(&by_flag));
     let matt = ["--change", "material.glass.transmission=[0,0,0]"];
     let effects =

@@ -85,6 +85,7 @@ fn effects_outlines_and_warnings_follow() {
     settle(&mut app);
     app.model.settings.effects = effects(&app.model.world.scene);
     assert!(!app.model.settings.effects.has(Effect::Reflection));
+    let before = app.model.settings;
     let material = app.model.world.scene.materials[0].name.clone();
     let outlines = format!("{:?}", app.model.outlines);
     enter(
@@ -125,6 +126,17 @@ fn effects_outlines_and_warnings_follow() {
     assert_eq!(app.model.message, None, "{:?}", app.model.message);
     assert!(!app.model.settings.effects.has(Effect::Reflection));
     assert_ne!(format!("{:?}", app.model.outlines), outlines);
+    is_as_set(&app);
+    // Back at the scene as it was, its effects are those of then, whatever was left out since.
+    app.model.overlay = Some(Overlay::Effects(0));
+    keys(&mut app, " q");
+    assert!(
+        app.model.findings[0].on && !app.model.settings.effects.has(app.model.findings[0].effect)
+    );
+    keys(&mut app, "UUU");
+    settle(&mut app);
+    assert_eq!(app.model.settings, before);
+    assert!(!finding(&app) && app.model.undone.is_empty());
     is_as_set(&app);
 }
 
