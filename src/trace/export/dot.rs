@@ -26,6 +26,14 @@ impl fmt::Display for Dot<'_> {
             "  node [shape=box, style=filled, fontname=\"sans-serif\"];"
         )?;
         for (i, figure) in figures.iter().enumerate() {
+            if figure.is_absent {
+                let label = escape(&format!("{}\n{}", figure.title, figure.end));
+                writeln!(
+                    f,
+                    "  n{i} [label=\"{label}\", shape=plaintext, style=\"\"];"
+                )?;
+                continue;
+            }
             let label = format!("{}\n{}\n{}", figure.title, figure.end, figure.percent);
             writeln!(
                 f,
@@ -39,10 +47,14 @@ impl fmt::Display for Dot<'_> {
         for (i, figure) in figures.iter().enumerate() {
             if let Some(parent) = figure.parent {
                 let color = figure.color;
-                writeln!(f, "  n{parent} -> n{i} [color=\"{color}\"];")?;
+                let style = if figure.is_absent {
+                    ", style=dotted"
+                } else {
+                    ""
+                };
+                writeln!(f, "  n{parent} -> n{i} [color=\"{color}\"{style}];")?;
             }
         }
-        absences(f, &figures)?;
         traversals(f, &figures)?;
         if left_out > 0 {
             writeln!(
@@ -55,26 +67,10 @@ impl fmt::Display for Dot<'_> {
     }
 }
 
-/// The rays that were not sent, each below the ray that would have sent it.
-fn absences(f: &mut fmt::Formatter, figures: &[Figure]) -> fmt::Result {
-    let figures = figures.iter().enumerate();
-    let absent = figures.flat_map(|(i, figure)| figure.node.absent.iter().map(move |a| (i, a)));
-    for (number, (i, absent)) in absent.enumerate() {
-        let reason = absent.reason.words();
-        let label = escape(&format!("no {}: {reason}", absent.kind.letter()));
-        writeln!(
-            f,
-            "  a{number} [label=\"{label}\", shape=plaintext, style=\"\"];"
-        )?;
-        writeln!(f, "  n{i} -> a{number} [style=dotted];")?;
-    }
-    Ok(())
-}
-
 /// The steps of each ray through the accelerator, as a note below the ray.
 fn traversals(f: &mut fmt::Formatter, figures: &[Figure]) -> fmt::Result {
     for (i, figure) in figures.iter().enumerate() {
-        let steps = &figure.node.traversal;
+        let steps = figure.steps;
         if steps.is_empty() {
             continue;
         }

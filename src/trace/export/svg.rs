@@ -8,9 +8,9 @@ use crate::trace::document::Document;
 use crate::trace::format::counted;
 
 /// Letters of a line in a box.
-const LETTERS: usize = 24;
+const LETTERS: usize = 26;
 
-/// A document as a picture, written by `Display`: one box a ray, filled with the colour that it brings back.
+/// A document as a picture, written by `Display`: one box a ray, filled with the colour that it brings back; dashed ones were not sent.
 pub struct Svg<'a>(pub &'a Document);
 
 impl fmt::Display for Svg<'_> {
@@ -36,16 +36,16 @@ impl fmt::Display for Svg<'_> {
         let heading = xml::escape(&heading(self.0));
         writeln!(f, "<text x=\"{GAP}\" y=\"24\">{heading}{more}</text>")?;
         for (figure, to) in figures.iter().zip(&corners) {
-            if let Some(parent) = figure.parent {
-                let from = corners[parent];
+            if let Some(from) = figure.parent.and_then(|parent| corners.get(parent)) {
                 writeln!(
                     f,
-                    "<path d=\"M{} {} L{} {}\" stroke=\"{}\" stroke-width=\"2\" fill=\"none\"/>",
+                    "<path d=\"M{} {} L{} {}\" stroke=\"{}\" stroke-width=\"2\"{} fill=\"none\"/>",
                     from.x + WIDTH / 2.0,
                     from.y + HEIGHT,
                     to.x + WIDTH / 2.0,
                     to.y,
-                    figure.color
+                    figure.color,
+                    dashes(figure)
                 )?;
             }
         }
@@ -61,9 +61,10 @@ fn boxed(f: &mut fmt::Formatter, figure: &Figure, Corner { x, y }: Corner) -> fm
     writeln!(
         f,
         "<rect x=\"{x}\" y=\"{y}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" rx=\"6\" fill=\"{}\" \
-         stroke=\"{}\" stroke-width=\"2\"/>",
+         stroke=\"{}\" stroke-width=\"2\"{}/>",
         hex(figure.fill),
-        figure.color
+        figure.color,
+        dashes(figure)
     )?;
     let ink = ink(figure.fill);
     let lines = [&figure.title, &figure.end, &figure.percent];
@@ -76,6 +77,15 @@ fn boxed(f: &mut fmt::Formatter, figure: &Figure, Corner { x, y }: Corner) -> fm
         )?;
     }
     Ok(())
+}
+
+/// Lines of rays that were not sent are dashed.
+fn dashes(figure: &Figure) -> &'static str {
+    if figure.is_absent {
+        " stroke-dasharray=\"4 4\""
+    } else {
+        ""
+    }
 }
 
 /// The text, or its beginning if it has too many letters for a box.

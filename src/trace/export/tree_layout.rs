@@ -1,8 +1,8 @@
 //! The ray tree as boxes: what stands in them, their colours, and where they stand.
 
 use crate::probe::RayKind;
-use crate::trace::document::{Document, RayInTree, RayNode, RayOutcome, SampleTree};
-use crate::trace::format::{num, percent};
+use crate::trace::document::{AbsentRay, Document, RayInTree, RayNode, RayOutcome, TraversalStep};
+use crate::trace::format::{counted, num, percent};
 
 pub use crate::scene::limits::MAX_DIAGRAM_NODES as MAX_NODES;
 
@@ -15,15 +15,13 @@ pub const GAP: f64 = 14.0;
 /// From one level of the tree to the next.
 const LEVEL: f64 = 92.0;
 
-/// A ray as a box of the diagram.
+/// A ray, a bundle of shadow rays, or a ray that was not sent, as a box of the diagram.
 pub struct Figure<'a> {
-    /// The ray.
-    pub node: &'a RayNode,
     /// The number of the box above it.
     pub parent: Option<usize>,
-    /// Its first line: kind, and number or light.
+    /// Its first line: kind, number, light.
     pub title: String,
-    /// Its second line: how the ray ended.
+    /// Its second line: how the ray ended, or why it was not sent.
     pub end: String,
     /// Its third line: its part of the pixel's brightness.
     pub percent: String,
@@ -31,6 +29,10 @@ pub struct Figure<'a> {
     pub fill: [u8; 3],
     /// The colour of its kind.
     pub color: &'static str,
+    /// True if the ray was not sent.
+    pub is_absent: bool,
+    /// Steps through the accelerator.
+    pub steps: &'a [TraversalStep],
 }
 
 /// The top left corner of a box, in pixels.
@@ -42,59 +44,196 @@ pub struct Corner {
     pub y: f64,
 }
 
-/// The rays of a pixel as boxes, parents first, up to [`MAX_NODES`], and how many were left out.
+/// The rays of a pixel as boxes, parents first, up to [`MAX_NODES`], and how many boxes were left out. The shadow rays to an area
+/// light are one box.
 pub fn figures(document: &Document) -> (Vec<Figure<'_>>, usize) {
-    let mut figures = Vec::new();
-    let mut count = 0;
+    let mut boxes = Boxes::default();
     for sample in &document.samples {
-        let first = count;
+        // The box of each ray, and the bundle that is going on.
+        let mut places: Vec<usize> = Vec::new();
+        let mut bundle: Option<Bundle> = None;
         for ray in sample.rays() {
-            if count < MAX_NODES {
-                figures.push(figure(document, sample, first, &ray));
+            let parent = ray.parent.and_then(|parent| places.get(parent)).copied();
+            // Below a bundle nothing hangs.
+            let parent = parent.filter(|place| *place != usize::MAX);
+            let share = document.fraction(sample, ray.contribution);
+            if let Some(of) = Bundle::of(&ray, parent) {
+                let mut going = bundle.take().filter(|going| going.is_of(&of)).unwrap_or(of);
+                going.add(ray.node.outcome, share);
+                places.push(usize::MAX);
+                bundle = Some(going);
+                continue;
             }
-            count += 1;
+            if let Some(done) = bundle.take() {
+                boxes.push(done.figure());
+            }
+            let place = boxes.push(figure(document, &ray, parent, share));
+            places.push(place);
+            for absent in absences(ray.node, place) {
+                boxes.push(absent);
+            }
+        }
+        if let Some(done) = bundle.take() {
+            boxes.push(done.figure());
         }
     }
-    let left_out = count - figures.len();
-    (figures, left_out)
+    let left_out = boxes.count - boxes.figures.len();
+    (boxes.figures, left_out)
 }
 
-/// The box of a ray; `first`: the number of its sample's eye ray.
+/// The first boxes, and how many there are in all.
+#[derive(Default)]
+struct Boxes<'a> {
+    figures: Vec<Figure<'a>>,
+    count: usize,
+}
+
+impl<'a> Boxes<'a> {
+    /// Adds a box if there is room, and gives its number.
+    fn push(&mut self, figure: Figure<'a>) -> usize {
+        if self.figures.len() < MAX_NODES {
+            self.figures.push(figure);
+        }
+        self.count += 1;
+        self.count - 1
+    }
+}
+
+/// Shadow rays to an area light from one hit.
+struct Bundle<'a> {
+    parent: Option<usize>,
+    light: &'a str,
+    rays: u64,
+    lit: u64,
+    blocked: u64,
+    share: f64,
+}
+
+impl<'a> Bundle<'a> {
+    /// The bundle that a ray belongs to, without it; none if it is no ray to an area light.
+    fn of(ray: &RayInTree<'a>, parent: Option<usize>) -> Option<Self> {
+        ray.node.sample?;
+        Some(Self {
+            parent,
+            light: ray.node.light.as_deref()?,
+            rays: 0,
+            lit: 0,
+            blocked: 0,
+            share: 0.0,
+        })
+    }
+
+    fn is_of(&self, other: &Self) -> bool {
+        (self.parent, self.light) == (other.parent, other.light)
+    }
+
+    fn add(&mut self, outcome: Option<RayOutcome>, share: f64) {
+        self.rays += 1;
+        self.lit += u64::from(outcome == Some(RayOutcome::Lit));
+        self.blocked += u64::from(outcome == Some(RayOutcome::Blocked));
+        self.share += share;
+    }
+
+    fn figure(self) -> Figure<'a> {
+        let seen = if self.lit >= self.blocked { LIT } else { DARK };
+        Figure {
+            parent: self.parent,
+            title: format!("{} to {}", counted(self.rays, "L ray"), self.light),
+            end: format!("{} lit, {} blocked", self.lit, self.blocked),
+            percent: percent(self.share),
+            fill: seen,
+            color: color(RayKind::Light),
+            is_absent: false,
+            steps: &[],
+        }
+    }
+}
+
+/// Boxes of L rays that see their light, and of those that do not.
+const LIT: [u8; 3] = [255, 244, 190];
+const DARK: [u8; 3] = [60, 60, 60];
+
+/// The box of a ray.
 fn figure<'a>(
     document: &Document,
-    sample: &SampleTree,
-    first: usize,
     ray: &RayInTree<'a>,
+    parent: Option<usize>,
+    share: f64,
 ) -> Figure<'a> {
     let node = ray.node;
     let end = match (&node.hit, node.outcome) {
+        (Some(hit), Some(RayOutcome::Blocked)) => {
+            format!("blocked by {} t={}", hit.object, num(hit.t))
+        }
         (Some(hit), _) => format!("{} t={}", hit.object, num(hit.t)),
         (None, Some(RayOutcome::Lit)) => "lit".to_owned(),
         (None, Some(_)) => "miss".to_owned(),
         (None, None) => "cut".to_owned(),
     };
     let fill = match node.outcome {
-        Some(RayOutcome::Lit) => [255, 244, 190],
-        Some(RayOutcome::Blocked) => [60, 60, 60],
+        Some(RayOutcome::Lit) => LIT,
+        Some(RayOutcome::Blocked) => DARK,
         _ => (node.radiance.unwrap_or_default() * document.settings.exposure).to_srgb8(),
     };
     let light = node.light.as_deref().unwrap_or_default();
+    let title = format!("{} {} {light}", node.kind.letter(), node.id);
     Figure {
-        node,
-        parent: ray.parent.map(|parent| first + parent),
-        title: match node.kind {
-            RayKind::Light => format!("L {light}"),
-            kind => format!("{} {}", kind.letter(), node.id),
-        },
+        parent,
+        title: title.trim_end().to_owned(),
         end,
-        percent: percent(document.fraction(sample, ray.contribution)),
+        percent: percent(share),
         fill,
-        color: match node.kind {
-            RayKind::Incident => "#444444",
-            RayKind::Light => "#b8860b",
-            RayKind::Reflected => "#c03030",
-            RayKind::Transmitted => "#2060c0",
-        },
+        color: color(node.kind),
+        is_absent: false,
+        steps: &node.traversal,
+    }
+}
+
+/// The rays that were not sent from a hit, equal ones together, as boxes below box `place`.
+fn absences(node: &RayNode, place: usize) -> Vec<Figure<'_>> {
+    let mut groups: Vec<(&AbsentRay, u64)> = Vec::new();
+    for absent in &node.absent {
+        let same = |(other, _): &&mut (&AbsentRay, u64)| {
+            (other.kind, &other.light, other.reason) == (absent.kind, &absent.light, absent.reason)
+        };
+        match groups.iter_mut().rev().take(MAX_GROUPS).find(same) {
+            Some((_, count)) => *count += 1,
+            None => groups.push((absent, 1)),
+        }
+    }
+    let boxed = |(absent, count): (&AbsentRay, u64)| {
+        let light = absent.light.as_deref().unwrap_or_default();
+        let times = if count > 1 {
+            format!(" x {count}")
+        } else {
+            String::new()
+        };
+        Figure {
+            parent: Some(place),
+            title: format!("no {} {light}{times}", absent.kind.letter())
+                .trim_end()
+                .to_owned(),
+            end: absent.reason.words().to_owned(),
+            percent: String::new(),
+            fill: [255; 3],
+            color: color(absent.kind),
+            is_absent: true,
+            steps: &[],
+        }
+    };
+    groups.into_iter().map(boxed).collect()
+}
+
+/// Groups of absent rays that are compared with the next one.
+const MAX_GROUPS: usize = 16;
+
+/// The colour of a kind of ray.
+fn color(kind: RayKind) -> &'static str {
+    match kind {
+        RayKind::Incident => "#444444",
+        RayKind::Light => "#b8860b",
+        RayKind::Reflected => "#c03030",
+        RayKind::Transmitted => "#2060c0",
     }
 }
 
@@ -142,5 +281,71 @@ pub fn ink([r, g, b]: [u8; 3]) -> &'static str {
         "#000000"
     } else {
         "#ffffff"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::load;
+    use crate::trace::document::SampleTree;
+    use crate::trace::{View, document, trace_pixel};
+    use crate::world::World;
+
+    fn document_of(name: &str, at: (u32, u32)) -> Document {
+        let scene = load(name).expect(name);
+        let settings = scene.settings.with(|s| {
+            (s.image.width, s.image.height) = (64, 48);
+            s.light.samples = 16;
+        });
+        let world = World::new(scene, settings.accel);
+        let trace = trace_pixel(&world, &settings, at, false);
+        document::of(View {
+            world: &world,
+            settings: &settings,
+            trace: &trace,
+        })
+    }
+
+    /// Every ray has a box of its own or is counted in that of its bundle; every absence is told below the ray that has it.
+    #[test]
+    fn every_ray_and_absence_is_in_a_box() {
+        let (mut bundles, mut total_reflections) = (0, 0);
+        for (name, at) in [
+            ("soft-shadow", (24, 36)),
+            ("lamps", (30, 36)),
+            ("nested-glass", (30, 24)),
+            ("whitted", (32, 26)),
+        ] {
+            let document = document_of(name, at);
+            let rays: Vec<_> = document.samples.iter().flat_map(SampleTree::rays).collect();
+            let (figures, left_out) = figures(&document);
+            assert_eq!(left_out, 0, "{name}");
+            let of_bundle = |figure: &Figure| {
+                let (count, _) = figure.title.split_once(" L ray")?;
+                count.parse::<usize>().ok()
+            };
+            let sent = figures.iter().filter(|figure| !figure.is_absent);
+            let told: usize = sent.map(|figure| of_bundle(figure).unwrap_or(1)).sum();
+            assert_eq!(told, rays.len(), "{name}");
+            bundles += figures.iter().filter_map(of_bundle).count();
+            let absent: usize = rays.iter().map(|ray| ray.node.absent.len()).sum();
+            let times = |figure: &Figure| {
+                figure
+                    .title
+                    .rsplit_once(" x ")
+                    .map_or(1, |(_, n)| n.parse().expect("a number"))
+            };
+            let told: usize = figures.iter().filter(|f| f.is_absent).map(times).sum();
+            assert_eq!(told, absent, "{name}");
+            total_reflections += figures.iter().filter(|f| f.end.contains("total")).count();
+            for (number, figure) in figures.iter().enumerate() {
+                assert!(figure.parent.is_none_or(|parent| parent < number), "{name}");
+            }
+        }
+        assert!(
+            bundles > 1 && total_reflections > 0,
+            "{bundles}, {total_reflections}"
+        );
     }
 }
