@@ -274,6 +274,7 @@ fn quantities_have_names() {
 fn the_deepest_tree_needs_no_deep_stack_of_the_caller() {
     let (world, settings) = world("mirrors");
     let settings = settings.with(|s| {
+        (s.image.width, s.image.height) = (320, 240);
         s.recursion.depth = MAX_DEPTH;
         s.recursion.min_weight = 0.0;
     });

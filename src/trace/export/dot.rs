@@ -26,7 +26,7 @@ impl fmt::Display for Dot<'_> {
             "  node [shape=box, style=filled, fontname=\"sans-serif\"];"
         )?;
         for (i, figure) in figures.iter().enumerate() {
-            if figure.is_absent {
+            if figure.rays == 0 {
                 let label = escape(&format!("{}\n{}", figure.title, figure.end));
                 writeln!(
                     f,
@@ -47,7 +47,7 @@ impl fmt::Display for Dot<'_> {
         for (i, figure) in figures.iter().enumerate() {
             if let Some(parent) = figure.parent {
                 let color = figure.color;
-                let style = if figure.is_absent {
+                let style = if figure.rays == 0 {
                     ", style=dotted"
                 } else {
                     ""
@@ -60,7 +60,7 @@ impl fmt::Display for Dot<'_> {
             writeln!(
                 f,
                 "  more [label=\"{}\", shape=plaintext, style=\"\"];",
-                counted(left_out as u64, "more ray")
+                counted(left_out, "more ray")
             )?;
         }
         writeln!(f, "}}")
@@ -137,7 +137,7 @@ fn brief(step: &TraversalStep) -> String {
             ..
         } => {
             let at = t.map_or(String::new(), |t| format!(" at t = {}", num(t)));
-            format!("test {object} {primitive}: {}{at}", result.name())
+            format!("test {object} {primitive}: {}{at}", result.word())
         }
     }
 }

@@ -31,7 +31,7 @@ impl fmt::Display for Svg<'_> {
         writeln!(f, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>")?;
         let more = match left_out {
             0 => String::new(),
-            _ => format!(" ({} not shown)", counted(left_out as u64, "more ray")),
+            _ => format!(" ({} not shown)", counted(left_out, "more ray")),
         };
         let heading = xml::escape(&heading(self.0));
         writeln!(f, "<text x=\"{GAP}\" y=\"24\">{heading}{more}</text>")?;
@@ -81,7 +81,7 @@ fn boxed(f: &mut fmt::Formatter, figure: &Figure, Corner { x, y }: Corner) -> fm
 
 /// Lines of rays that were not sent are dashed.
 fn dashes(figure: &Figure) -> &'static str {
-    if figure.is_absent {
+    if figure.rays == 0 {
         " stroke-dasharray=\"4 4\""
     } else {
         ""

@@ -29,8 +29,8 @@ pub struct Figure<'a> {
     pub fill: [u8; 3],
     /// The colour of its kind.
     pub color: &'static str,
-    /// True if the ray was not sent.
-    pub is_absent: bool,
+    /// The rays that it stands for: 0 if the ray was not sent.
+    pub rays: u64,
     /// Steps through the accelerator.
     pub steps: &'a [TraversalStep],
 }
@@ -44,9 +44,9 @@ pub struct Corner {
     pub y: f64,
 }
 
-/// The rays of a pixel as boxes, parents first, up to [`MAX_NODES`], and how many boxes were left out. The shadow rays to an area
+/// The rays of a pixel as boxes, parents first, up to [`MAX_NODES`], and how many rays were left out. The shadow rays to an area
 /// light are one box.
-pub fn figures(document: &Document) -> (Vec<Figure<'_>>, usize) {
+pub fn figures(document: &Document) -> (Vec<Figure<'_>>, u64) {
     let mut boxes = Boxes::default();
     for sample in &document.samples {
         // The box of each ray, and the bundle that is going on.
@@ -58,7 +58,13 @@ pub fn figures(document: &Document) -> (Vec<Figure<'_>>, usize) {
             let parent = parent.filter(|place| *place != usize::MAX);
             let share = document.fraction(sample, ray.contribution);
             if let Some(of) = Bundle::of(&ray, parent) {
-                let mut going = bundle.take().filter(|going| going.is_of(&of)).unwrap_or(of);
+                let mut going = match bundle.take() {
+                    Some(going) if going.is_of(&of) => going,
+                    other => {
+                        other.map(|done| boxes.push(done.figure()));
+                        of
+                    }
+                };
                 going.add(ray.node.outcome, share);
                 places.push(usize::MAX);
                 bundle = Some(going);
@@ -77,20 +83,22 @@ pub fn figures(document: &Document) -> (Vec<Figure<'_>>, usize) {
             boxes.push(done.figure());
         }
     }
-    let left_out = boxes.count - boxes.figures.len();
-    (boxes.figures, left_out)
+    let shown: u64 = boxes.figures.iter().map(|figure| figure.rays).sum();
+    (boxes.figures, boxes.rays - shown)
 }
 
-/// The first boxes, and how many there are in all.
+/// The first boxes, how many there are in all, and the rays that they stand for.
 #[derive(Default)]
 struct Boxes<'a> {
     figures: Vec<Figure<'a>>,
     count: usize,
+    rays: u64,
 }
 
 impl<'a> Boxes<'a> {
     /// Adds a box if there is room, and gives its number.
     fn push(&mut self, figure: Figure<'a>) -> usize {
+        self.rays += figure.rays;
         if self.figures.len() < MAX_NODES {
             self.figures.push(figure);
         }
@@ -143,7 +151,7 @@ impl<'a> Bundle<'a> {
             percent: percent(self.share),
             fill: seen,
             color: color(RayKind::Light),
-            is_absent: false,
+            rays: self.rays,
             steps: &[],
         }
     }
@@ -176,15 +184,16 @@ fn figure<'a>(
         _ => (node.radiance.unwrap_or_default() * document.settings.exposure).to_srgb8(),
     };
     let light = node.light.as_deref().unwrap_or_default();
-    let title = format!("{} {} {light}", node.kind.letter(), node.id);
+    let gap = if light.is_empty() { "" } else { " " };
+    let title = format!("{} {}{gap}{light}", node.kind.letter(), node.id);
     Figure {
         parent,
-        title: title.trim_end().to_owned(),
+        title,
         end,
         percent: percent(share),
         fill,
         color: color(node.kind),
-        is_absent: false,
+        rays: 1,
         steps: &node.traversal,
     }
 }
@@ -203,6 +212,7 @@ fn absences(node: &RayNode, place: usize) -> Vec<Figure<'_>> {
     }
     let boxed = |(absent, count): (&AbsentRay, u64)| {
         let light = absent.light.as_deref().unwrap_or_default();
+        let gap = if light.is_empty() { "" } else { " " };
         let times = if count > 1 {
             format!(" x {count}")
         } else {
@@ -210,14 +220,12 @@ fn absences(node: &RayNode, place: usize) -> Vec<Figure<'_>> {
         };
         Figure {
             parent: Some(place),
-            title: format!("no {} {light}{times}", absent.kind.letter())
-                .trim_end()
-                .to_owned(),
+            title: format!("no {}{gap}{light}{times}", absent.kind.letter()),
             end: absent.reason.words().to_owned(),
             percent: String::new(),
             fill: [255; 3],
             color: color(absent.kind),
-            is_absent: true,
+            rays: 0,
             steps: &[],
         }
     };
@@ -325,7 +333,7 @@ mod tests {
                 let (count, _) = figure.title.split_once(" L ray")?;
                 count.parse::<usize>().ok()
             };
-            let sent = figures.iter().filter(|figure| !figure.is_absent);
+            let sent = figures.iter().filter(|figure| figure.rays > 0);
             let told: usize = sent.map(|figure| of_bundle(figure).unwrap_or(1)).sum();
             assert_eq!(told, rays.len(), "{name}");
             bundles += figures.iter().filter_map(of_bundle).count();
@@ -336,7 +344,7 @@ mod tests {
                     .rsplit_once(" x ")
                     .map_or(1, |(_, n)| n.parse().expect("a number"))
             };
-            let told: usize = figures.iter().filter(|f| f.is_absent).map(times).sum();
+            let told: usize = figures.iter().filter(|f| f.rays == 0).map(times).sum();
             assert_eq!(told, absent, "{name}");
             total_reflections += figures.iter().filter(|f| f.end.contains("total")).count();
             for (number, figure) in figures.iter().enumerate() {

@@ -21,12 +21,12 @@ pub struct PlaceLine {
     /// What it says.
     pub text: String,
     /// Where it leads.
-    pub place: Destination,
+    pub place: LineGoal,
 }
 
 /// Where a line leads.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Destination {
+pub enum LineGoal {
     /// To an event of the open tree.
     Event(usize),
     /// To an address.

@@ -89,7 +89,13 @@ fn a_bend_is_told_by_the_difference_of_the_trees() {
 #[test]
 fn in_the_picture_there_is_no_tree_to_compare() {
     let mut app = app(80, 24);
-    assert!(!app.press(crossterm::event::KeyEvent::from(KeyCode::Char('d'))));
+    keys(&mut app, "d");
+    assert!(app.model.overlay.is_none());
+    assert!(
+        text(&app).contains("there is no other picture"),
+        "{}",
+        text(&app)
+    );
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::grade::tolerance::Tolerances;
 use crate::scene::settings::knobs::set_knob;
 use crate::trace::facts::{PixelFacts, pixel_facts};
 use crate::trace::{Address, document};
-use crate::tui::model::list::{Destination, PlaceLine, PlaceList};
+use crate::tui::model::list::{LineGoal, PlaceLine, PlaceList};
 use crate::tui::model::{Model, Overlay};
 use crate::tui::panes::text::{padded, shortened};
 
@@ -131,8 +131,8 @@ fn line(pair: &RayPair, is_cause: bool, pixel: (u32, u32), width: usize) -> Plac
         part: None,
     };
     let place = match pair.a {
-        Some(_) => Destination::Address(address),
-        None => Destination::Told(format!(
+        Some(_) => LineGoal::Address(address),
+        None => LineGoal::Told(format!(
             "{}: this ray is in the other tree only",
             name.trim()
         )),

@@ -7,7 +7,7 @@ use crate::debug::samples::samples;
 use crate::trace::explain::source_text;
 use crate::trace::facts::TreePath;
 use crate::trace::{Address, explain};
-use crate::tui::model::list::{Destination, PlaceLine, PlaceList};
+use crate::tui::model::list::{LineGoal, PlaceLine, PlaceList};
 use crate::tui::model::{Model, Overlay};
 
 /// Shows where the numbers of the current event come from, or where they go.
@@ -18,7 +18,7 @@ pub fn origin(model: &mut Model, back: bool) {
     let (view, here) = (session.view(), session.cursor().position());
     let to = |at: usize, what: &str| PlaceLine {
         text: format!("{what}: event {at}, {}", explain(view, at).title),
-        place: Destination::Event(at),
+        place: LineGoal::Event(at),
     };
     let list = if back {
         let lines = origins(view, here)
@@ -27,7 +27,7 @@ pub fn origin(model: &mut Model, back: bool) {
                 OriginPlace::Event(at) => to(at, origin.what),
                 OriginPlace::Input(words) => PlaceLine {
                     text: format!("{}: {words}", origin.what),
-                    place: Destination::Told(format!(
+                    place: LineGoal::Told(format!(
                         "{}: {words}; no step comes before that",
                         origin.what
                     )),
@@ -70,7 +70,7 @@ pub fn of_pixel(model: &mut Model) {
     let pixel = (session.trace.x, session.trace.y);
     let line = |(index, text): (u32, String)| PlaceLine {
         text,
-        place: Destination::Address(Address {
+        place: LineGoal::Address(Address {
             scene: None,
             pixel,
             path: TreePath {
@@ -95,8 +95,8 @@ pub fn break_points(model: &mut Model) {
     };
     let line = |(text, first): (String, Option<usize>)| PlaceLine {
         place: match first {
-            Some(event) => Destination::Event(event),
-            None => Destination::Told("this tree has none".to_owned()),
+            Some(event) => LineGoal::Event(event),
+            None => LineGoal::Told("this tree has none".to_owned()),
         },
         text,
     };
@@ -121,12 +121,12 @@ pub fn accept(model: &mut Model) {
     };
     history::leave(model);
     match line.place {
-        Destination::Event(at) => {
+        LineGoal::Event(at) => {
             if let Some(session) = &mut model.session {
                 session.go_to_event(at);
             }
         }
-        Destination::Address(address) => model.message = image::go_to(model, address).err(),
-        Destination::Told(text) => model.message = Some(text),
+        LineGoal::Address(address) => model.message = image::go_to(model, address).err(),
+        LineGoal::Told(text) => model.message = Some(text),
     }
 }

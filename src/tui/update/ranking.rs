@@ -6,7 +6,7 @@ use crate::lab::show::ShowMode;
 use crate::trace::Address;
 use crate::trace::facts::TreePath;
 use crate::trace::format::num;
-use crate::tui::model::list::{Destination, PlaceLine, PlaceList};
+use crate::tui::model::list::{LineGoal, PlaceLine, PlaceList};
 use crate::tui::model::{Model, Overlay};
 
 /// Pixels that are listed at most.
@@ -44,7 +44,7 @@ pub fn next(model: &mut Model, down: bool) {
 pub fn list(model: &mut Model) {
     let line = |at: (u32, u32), text: String| PlaceLine {
         text: format!("{},{}: {text}", at.0, at.1),
-        place: Destination::Address(Address {
+        place: LineGoal::Address(Address {
             scene: None,
             pixel: at,
             path: TreePath::default(),
