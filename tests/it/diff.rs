@@ -270,22 +270,30 @@ fn quantities_have_names() {
     }
 }
 
+/// An eye between two mirrors that lose nothing.
+const BETWEEN_MIRRORS: &str = r#"{"format": "raytree-scene/1", "name": "between mirrors",
+ "camera": {"eye": [0, 0, 0], "look_at": [0, 0, -1]},
+ "materials": {"mirror": {"mirror": [1, 1, 1]}},
+ "objects": [
+  {"plane": {"name": "before", "material": "mirror", "point": [0, 0, -1], "normal": [0, 0, 1]}},
+  {"plane": {"name": "behind", "material": "mirror", "point": [0, 0, 1], "normal": [0, 0, -1]}}]}"#;
+
 #[test]
 fn the_deepest_tree_needs_no_deep_stack_of_the_caller() {
-    let (world, settings) = world("mirrors");
-    let settings = settings.with(|s| {
-        (s.image.width, s.image.height) = (320, 240);
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("mirrors.json");
+    std::fs::write(&path, BETWEEN_MIRRORS).expect("written");
+    let scene = scene::load(path.to_str().expect("UTF-8")).expect("a scene");
+    let settings = scene.settings.with(|s| {
+        (s.image.width, s.image.height) = (9, 9);
         s.recursion.depth = MAX_DEPTH;
-        s.recursion.min_weight = 0.0;
     });
+    let world = World::new(scene, settings.accel);
     let small = std::thread::Builder::new().stack_size(256 << 10);
-    let traced = move || pixel_tree::traced(&world, &settings, (193, 86));
-    let tree = small
-        .spawn(traced)
-        .expect("a thread")
-        .join()
-        .expect("a tree");
-    assert!(tree.rays.len() > 20, "{}", tree.rays.len());
+    let traced = move || pixel_tree::traced(&world, &settings, (4, 4));
+    let thread = small.spawn(traced).expect("a thread");
+    let tree = thread.join().expect("a tree");
+    assert_eq!(tree.rays.len(), MAX_DEPTH as usize + 1);
 }
 
 /// The picture in the window has another size: the command says that of the compared one.

@@ -322,7 +322,7 @@ mod tests {
         for (name, at) in [
             ("soft-shadow", (24, 36)),
             ("lamps", (30, 36)),
-            ("nested-glass", (30, 24)),
+            ("nested-glass", (36, 14)),
             ("whitted", (32, 26)),
         ] {
             let document = document_of(name, at);
