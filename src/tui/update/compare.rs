@@ -91,7 +91,7 @@ fn head(
     if !other.is_same_pixel {
         return format!("Pixel {x},{y} beside pixel {text}; ≠ differs, - is not there.");
     }
-    let open = |compared: &Compared| format!(":{x},{y}{}", compared.path);
+    let open = |compared: &Compared| format!("opens by :{x},{y}{}", compared.path);
     let this = format!("{x},{y}");
     let sides = Sides {
         scene: &session.world.scene.name,
