@@ -4,6 +4,7 @@ pub mod action;
 pub mod bindings;
 pub mod change;
 pub mod examples;
+pub mod first;
 pub mod key;
 pub mod layout;
 pub mod list;

@@ -10,7 +10,7 @@ use super::theme;
 use crate::debug::steps::totals;
 use crate::debug::t_axis::TAxis;
 use crate::debug::{Session, StepKind, StepText};
-use crate::tui::model::state::{first_step, step_rows};
+use crate::tui::model::first::{first_step, step_rows};
 
 /// Its title, in at most so many columns.
 pub fn title(session: &Session, width: u16) -> Line<'static> {

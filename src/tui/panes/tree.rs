@@ -10,7 +10,7 @@ use super::theme;
 use crate::debug::{RowText, Session, TreeRow, TreeRows};
 use crate::trace::format::counted;
 use crate::tracer::image::ColorLevel;
-use crate::tui::model::state::first_row;
+use crate::tui::model::first::first_row;
 
 /// Columns that a level of the tree takes.
 const INDENT: usize = 2;

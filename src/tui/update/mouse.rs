@@ -3,7 +3,7 @@
 use ratatui::layout::Position;
 
 use super::{image, rows};
-use crate::tui::model::state::{first_row, first_step, step_rows};
+use crate::tui::model::first::{first_row, first_step, step_rows};
 use crate::tui::model::{Model, Mouse, Pane, inside};
 
 /// The mouse did something at a cell of the screen.
