@@ -11,6 +11,7 @@ pub mod drawing;
 pub mod edit;
 pub mod effects;
 pub mod extent;
+pub mod fan;
 pub mod landmarks;
 pub mod marks;
 pub mod origin;

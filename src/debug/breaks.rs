@@ -1,5 +1,8 @@
 //! Break points: where a run through the log stops.
 
+#[cfg(test)]
+mod tests;
+
 use std::time::Instant;
 
 use super::session::Session;
@@ -24,7 +27,7 @@ pub const READY: [&str; 11] = [
 ];
 
 /// What may be typed beside a query.
-const WORDS: &str = "or type absent, deepest, largest, new object, invalid, test:NAME, node:NUMBER";
+const WORDS: &str = "or type absent, deepest, largest, new object, invalid, test:NAME, test:NAME#NUMBER, node:NUMBER";
 
 /// Events between two looks at the clock.
 const BETWEEN: usize = 256;
@@ -57,8 +60,8 @@ enum BreakKind {
     NewObject,
     /// A number that is none or infinite, or a direction that is not of length 1.
     Invalid,
-    /// A test of a shape of such an object.
-    Test(Pattern),
+    /// A test of a shape of such an object, of one of its shapes if that is named.
+    Test(Pattern, Option<u32>),
     /// A visit to a node of the acceleration structure.
     Node(u32),
 }
@@ -74,7 +77,7 @@ impl BreakPoint {
             "new object" => BreakKind::NewObject,
             "invalid" => BreakKind::Invalid,
             _ => match text.split_once(':') {
-                Some(("test", name)) => BreakKind::Test(Pattern(name.to_owned())),
+                Some(("test", name)) => tests_of(name)?,
                 Some(("node", number)) => BreakKind::Node(
                     number
                         .parse()
@@ -116,8 +119,10 @@ impl BreakPoint {
                 places.binary_search(&(event as u32)).is_ok()
             }
             (BreakKind::Invalid, what) => is_invalid(what),
-            (BreakKind::Test(name), Event::Test { primitive, .. }) => {
-                name.matches(&view.world.scene.object_of(*primitive).name)
+            (BreakKind::Test(name, shape), Event::Test { primitive, .. }) => {
+                let scene = &view.world.scene;
+                name.matches(&scene.object_of(*primitive).name)
+                    && shape.is_none_or(|shape| shape == scene.local_index(*primitive))
             }
             (BreakKind::Node(node), Event::Visit(visit)) => visit.node == *node,
             _ => false,
@@ -133,6 +138,17 @@ impl BreakPoint {
         let stops = (0..events).filter(|at| self.stops_at(session, *at));
         let (before, behind): (Vec<_>, Vec<_>) = stops.partition(|at| *at <= event);
         Some((before.len(), before.len() + behind.len()))
+    }
+}
+
+/// Tests of `NAME`, or of one shape of it: `NAME#NUMBER`.
+fn tests_of(text: &str) -> Result<BreakKind, String> {
+    let Some((name, number)) = text.rsplit_once('#') else {
+        return Ok(BreakKind::Test(Pattern(text.to_owned()), None));
+    };
+    match number.parse() {
+        Ok(shape) => Ok(BreakKind::Test(Pattern(name.to_owned()), Some(shape))),
+        Err(_) => Err(format!("`{number}` is no number of a shape")),
     }
 }
 
@@ -216,139 +232,4 @@ pub fn list(session: &Session, points: &[BreakPoint]) -> Vec<(String, Option<usi
         (told, (0..events).find(|at| point.stops_at(session, *at)))
     };
     points.iter().map(line).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use std::sync::Arc;
-    use std::time::Duration;
-
-    use super::*;
-    use crate::probe::RayKind;
-    use crate::scene::load;
-    use crate::world::World;
-
-    fn session(scene: &str, at: (u32, u32)) -> Session {
-        let scene = load(scene).expect("built in");
-        let settings = scene
-            .settings
-            .with(|s| (s.image.width, s.image.height) = (64, 48));
-        Session::new(Arc::new(World::new(scene, settings.accel)), settings, at)
-    }
-
-    fn later() -> Instant {
-        Instant::now() + Duration::from_secs(60)
-    }
-
-    /// Where all runs in a direction stop.
-    fn stops(session: &Session, points: &[BreakPoint], forward: bool) -> Vec<usize> {
-        let last = session.tree().events.len() - 1;
-        let mut at = if forward { 0 } else { last };
-        let mut stops = Vec::new();
-        while let Run::Stopped(event, _) = run(session, points, at, forward, later()) {
-            stops.push(event);
-            at = event;
-        }
-        stops
-    }
-
-    #[test]
-    fn what_is_ready_stops_where_it_says() {
-        let session = session("nested-glass", (30, 24));
-        let tree = session.tree();
-        let mut many = 0;
-        for text in READY {
-            let point = BreakPoint::new(text).unwrap_or_else(|e| panic!("{text}: {e}"));
-            let forward = stops(&session, std::slice::from_ref(&point), true);
-            let mut back = stops(&session, std::slice::from_ref(&point), false);
-            back.reverse();
-            // The event at which a run begins does not stop it.
-            back.retain(|at| *at != 0);
-            let last = tree.events.len() - 1;
-            let inner: Vec<_> = forward.iter().copied().filter(|at| *at != last).collect();
-            assert_eq!(back, inner, "{text}");
-            let first = usize::from(point.stops_at(&session, 0));
-            let all = point.count(&session, last).expect("a small tree").1;
-            assert_eq!(all, forward.len() + first, "{text}");
-            for at in &forward {
-                let event = &tree.events[*at];
-                let fits = match text {
-                    "absent" => matches!(event, Event::Absent { .. }),
-                    "new object" => matches!(event, Event::Hit(_)),
-                    "test:*" => matches!(event, Event::Test { .. }),
-                    "node:0" => matches!(event, Event::Visit(v) if v.node == 0),
-                    _ => matches!(event, Event::Ray(_) | Event::Absent { .. }),
-                };
-                assert!(fits, "{text} at {at}: {event:?}");
-            }
-            many += usize::from(!forward.is_empty());
-            assert!(text != "invalid" || forward.is_empty());
-        }
-        assert!(many >= 8, "{many} of them stop somewhere");
-    }
-
-    #[test]
-    fn the_deepest_and_the_largest_are_those() {
-        let session = session("whitted", (32, 24));
-        let tree = session.tree();
-        let of = |text: &str| {
-            let found = stops(&session, &[BreakPoint::new(text).expect(text)], true);
-            found
-                .into_iter()
-                .map(|at| tree.node_of_event(at).expect("a ray"))
-                .collect::<Vec<_>>()
-        };
-        let deepest = tree.nodes.iter().map(|n| n.ray.depth).max().expect("rays");
-        let count = tree.nodes.iter().filter(|n| n.ray.depth == deepest).count();
-        assert_eq!(of("deepest").len(), count);
-        let largest = of("largest");
-        assert_eq!(largest.len(), 1);
-        let share = |n: u32| session.view().fraction(n);
-        for (n, node) in (0..).zip(&tree.nodes) {
-            let is_sent_on = matches!(node.ray.kind, RayKind::Reflected | RayKind::Transmitted);
-            assert!(!is_sent_on || share(n) <= share(largest[0]), "ray {n}");
-        }
-    }
-
-    #[test]
-    fn numbers_that_are_none_stop_a_run() {
-        let mut session = session("whitted", (32, 24));
-        let last = session.tree().events.len() - 1;
-        session.trace.tree.events[last] = Event::Return {
-            radiance: crate::math::Rgb::WHITE * f64::NAN,
-        };
-        let point = [BreakPoint::new("invalid").expect("a word")];
-        assert_eq!(
-            run(&session, &point, 0, true, later()),
-            Run::Stopped(last, 0)
-        );
-        if let Event::Ray(sent) = &mut session.trace.tree.events[1] {
-            sent.direction *= 1.001;
-        }
-        assert_eq!(run(&session, &point, 0, true, later()), Run::Stopped(1, 0));
-    }
-
-    #[test]
-    fn a_run_that_takes_long_pauses_and_goes_on() {
-        let session = session("nested-glass", (30, 24));
-        let never = [BreakPoint::new("hits:nothing").expect("a query")];
-        let (mut at, mut pauses) = (0, 0);
-        while let Run::Paused(event) = run(&session, &never, at, true, Instant::now()) {
-            assert!(event > at);
-            (at, pauses) = (event, pauses + 1);
-        }
-        assert!(pauses > 1, "{pauses}");
-    }
-
-    #[test]
-    fn what_is_no_break_point_is_told() {
-        for (text, told) in [
-            ("node:x", "`x` is no number"),
-            ("deepst", "deepest"),
-            ("", "letter 1"),
-        ] {
-            let error = BreakPoint::new(text).expect_err(text);
-            assert!(error.contains(told), "{text}: {error}");
-        }
-    }
 }

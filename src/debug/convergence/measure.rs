@@ -32,5 +32,5 @@ pub fn measure(
             return "more would take long";
         }
     }
-    "that is all"
+    "no more samples are tried"
 }

@@ -111,6 +111,8 @@ pub enum Action {
     Zoom,
     /// Look at the scene from the next side.
     View,
+    /// Draw the eye rays of the pixel's row, of its column, or neither.
+    Fan,
     /// Take the text that was typed.
     Accept,
     /// Delete the last letter.

@@ -102,6 +102,7 @@ pub const ACTIONS: &[Binding] = {
         row(Tree, false, &[(ch(' '), A::Toggle), (key(Right), A::Unfold), (key(Left), A::Fold)],
             "fold", "Show or hide the rays below this one; Left on a closed one goes to its parent."),
         row(Tree, false, &[(ch('v'), A::View)], "view", "Look at the scene from the top, the front, the side."),
+        row(Tree, false, &[(ch('V'), A::Fan)], "row, column", "Draw the eye rays of all pixels in this row, in this column, or neither."),
         row(Tree, false, &[(key(Enter), A::Step(Over))], "over", "As o."),
 
         row(Prompt, true, &[(key(Enter), A::Accept)], "go", "Go there, search for it, or change it."),

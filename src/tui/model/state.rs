@@ -15,6 +15,7 @@ use super::options::Options;
 use super::overlay::Overlay;
 use super::placement::Placement;
 use crate::debug::breaks::BreakPoint;
+use crate::debug::fan::Fan;
 use crate::debug::marks::Marks;
 use crate::debug::{
     Axis, Convergence, ObjectOutline, PartialPicture, QuerySearch, Session, outlines,
@@ -52,6 +53,8 @@ pub struct LayoutState {
     pub scroll: u16,
     /// From where the ray paths are seen.
     pub axis: Axis,
+    /// The eye rays that are drawn beside the tree.
+    pub fan: Option<Fan>,
 }
 
 /// The state.
@@ -164,6 +167,7 @@ impl Model {
                 zoom: false,
                 scroll: 0,
                 axis: Axis::Side,
+                fan: None,
             },
             message: None,
             request: Request::Stay,

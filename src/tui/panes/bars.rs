@@ -26,7 +26,8 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     let mut line = Line::from(format!("pixel ({}, {})  ", trace.x, trace.y));
     if !trace.pixel.cuts.is_empty() {
         let (count, share) = (trace.pixel.cuts.count(), 100.0 * trace.pixel.cut_share());
-        line.push_span(format!("{count} cut ({share:.1} %)  "));
+        let rays = counted(count, "ray");
+        line.push_span(format!("{rays} cut ({share:.1} %)  "));
     }
     remark(&mut line, changed(&session.world.scene));
     remark(&mut line, deviations(&session.settings, &model.findings));

@@ -13,6 +13,7 @@ use super::text::write;
 use super::theme;
 use crate::debug::cell::{self, NodeCell};
 use crate::debug::extent::{MAX_DRAWN, with_ray};
+use crate::debug::fan::Fan;
 use crate::debug::outline::{of_one, turns};
 use crate::debug::projection::Viewport;
 use crate::debug::{Axis, ObjectOutline, Session};
@@ -41,6 +42,7 @@ struct Drawing<'a> {
     session: &'a Session,
     outlines: &'a [ObjectOutline],
     axis: Axis,
+    fan: Option<Fan>,
     viewport: Viewport,
 }
 
@@ -48,7 +50,7 @@ struct Drawing<'a> {
 pub fn draw(
     session: &Session,
     outlines: &[ObjectOutline],
-    axis: Axis,
+    (axis, fan): (Axis, Option<Fan>),
     area: Rect,
     buffer: &mut Buffer,
 ) {
@@ -63,6 +65,7 @@ pub fn draw(
         session,
         outlines,
         axis,
+        fan,
         viewport,
     };
     Canvas::default()
@@ -80,6 +83,10 @@ impl Drawing<'_> {
             self.outline(context, outline, OUTLINE);
         }
         self.traversal(context);
+        let fan = self.fan.map_or_else(Vec::new, |fan| fan.rays(self.session));
+        for [from, to] in fan {
+            self.line(context, from, to, theme::kind_color(RayKind::Incident));
+        }
         let tree = self.session.tree();
         let current = self.session.node();
         let shown = tree.nodes.iter().take(MAX_DRAWN);

@@ -69,7 +69,10 @@ fn around_tree(model: &Model, session: &Session, pane: Pane, panes: &Panes, buff
         Pane::Tree => tree::draw(session, level, area, buffer),
         Pane::Details => details::draw(session, layout.scroll, level, area, buffer),
         Pane::Steps => steps::draw(session, area, buffer),
-        Pane::Path => paths::draw(session, &model.outlines, layout.axis, area, buffer),
+        Pane::Path => {
+            let seen = (layout.axis, layout.fan);
+            paths::draw(session, &model.outlines, seen, area, buffer);
+        }
     }
 }
 

@@ -70,7 +70,7 @@ fn a_picture_that_lost_light_says_so_when_it_is_whole() {
     keys(&mut app, "qHHHH");
     key(&mut app, KeyCode::Enter);
     let title = text(&app).lines().next().expect("a title").to_owned();
-    assert!(title.contains(")  10 cut (88.9 %)  "), "{title}");
+    assert!(title.contains(")  10 rays cut (88.9 %)  "), "{title}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use super::{
     convergence, edit, effects, flip, history, image, marks, places, play, prompt, ranking, rows,
     run, search, set,
 };
+use crate::debug::fan::Fan;
 use crate::tui::model::{Action, Job, Model, Overlay, Prompt, Request, inside};
 
 /// Does what a user asks for.
@@ -103,6 +104,7 @@ fn in_tree(model: &mut Model, action: Action) {
         Action::Origin(back) => places::origin(model, back),
         Action::Neighbour(dx, dy) => image::neighbour(model, dx, dy),
         Action::View => layout.axis = layout.axis.next(),
+        Action::Fan => layout.fan = Fan::next(layout.fan),
         Action::Zoom => layout.zoom = !layout.zoom,
         Action::NextPane => layout.focus = layout.focus.next(true),
         Action::PreviousPane => layout.focus = layout.focus.next(false),

@@ -1,6 +1,7 @@
 //! Panel of effects: shown, chosen, switched.
 
 use super::image;
+use super::undo::{check_ready, remember};
 use crate::debug::effects::switched;
 use crate::tui::model::{Model, Overlay};
 
@@ -30,6 +31,11 @@ pub fn switch(model: &mut Model) {
     };
     match switched(model.settings.effects, finding) {
         Ok(effects) => {
+            if let Err(problem) = check_ready(model) {
+                model.message = Some(problem);
+                return;
+            }
+            remember(model);
             model.settings.effects = effects;
             image::redo(model);
         }

@@ -33,12 +33,24 @@ pub fn typed(model: &mut Model, text: &str) -> Result<(), String> {
             "`{flag}` is part of the scene's shapes; start again with --{flag} {value}"
         ));
     }
+    let told = if settings == model.settings {
+        format!("{flag} is {value} already")
+    } else {
+        format!("{flag}: {value}")
+    };
+    model.message = Some(told);
     change(model, settings);
     Ok(())
 }
 
 /// Twice or half as many samples of each pixel, or of each light with an area.
 pub fn samples(model: &mut Model, of_lights: bool, more: bool) {
+    let lights = &model.world.scene.lights;
+    if of_lights && !lights.iter().any(|light| light.kind.is_area()) {
+        let told = "no light of this scene has an area: each takes one sample";
+        model.message = Some(told.to_owned());
+        return;
+    }
     let settings = model.settings.with(|s| {
         let count = if of_lights {
             &mut s.light.samples
