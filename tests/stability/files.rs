@@ -263,10 +263,14 @@ fn case_098_brackets_inside_brackets() {
     for depth in [33, 41, 42, 43, 128, 129, 100_000] {
         refused(nested(depth), "a.json:", &["32 deep"]);
     }
-    for brackets in ["[", "{\"a\":", "[{\"group\":"] {
-        let text = brackets.repeat(100_000);
+    for (open, close) in [("[", "]"), ("{\"a\":", "}"), ("[{\"group\":", "}]")] {
+        let text = open.repeat(100_000);
         refused(read(&[("a.json", text.as_bytes())]), "a.json", &[]);
-        refused(scene(&format!("\"note\": {text}")), "a.json:1:", &["note"]);
+        // Text that is no JSON is told first; what is, but is no note, by its field.
+        let broken = scene(&format!("\"note\": {text}"));
+        refused(broken, "a.json:1:", &["a value is missing here"]);
+        let closed = format!("\"note\": {text}1{}", close.repeat(100_000));
+        refused(scene(&closed), "a.json:1:", &["note"]);
     }
 }
 
