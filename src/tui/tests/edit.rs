@@ -40,6 +40,7 @@ fn the_picture_follows_a_change_and_its_undoing_bit_by_bit() {
         "=depth=1",
         "=object.mirror sphere.radius=0.5",
     ] {
+        app.model.message = None;
         shown.push(buffer(&app));
         enter(&mut app, change);
         is_as_set(&app);
@@ -133,7 +134,8 @@ fn effects_outlines_and_warnings_follow() {
     assert!(
         app.model.findings[0].on && !app.model.settings.effects.has(app.model.findings[0].effect)
     );
-    keys(&mut app, "UUU");
+    // Leaving an effect out is a change like any other.
+    keys(&mut app, "UUUUU");
     settle(&mut app);
     assert_eq!(app.model.settings, before);
     assert!(!finding(&app) && app.model.undone.is_empty());
