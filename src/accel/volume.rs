@@ -8,7 +8,7 @@ use crate::math::{DVec3, Interval, Ray};
 pub enum Volume {
     /// A box along the axes.
     Box(Aabb),
-    /// A ball.
+    /// A sphere with its inside.
     Sphere {
         /// Its middle.
         center: DVec3,

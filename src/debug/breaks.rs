@@ -8,8 +8,9 @@ use std::time::Instant;
 use super::session::Session;
 use crate::math::DVec3;
 use crate::probe::Event;
+use crate::scene::read::did_you_mean::did_you_mean;
 use crate::trace::TreeQuery;
-use crate::trace::query::Pattern;
+use crate::trace::query::{Pattern, QueryError};
 
 /// Break points to begin with.
 pub const READY: [&str; 11] = [
@@ -25,6 +26,9 @@ pub const READY: [&str; 11] = [
     "node:0",
     "depth >= 3",
 ];
+
+/// Break points of one word or two.
+const SINGLE: [&str; 5] = ["absent", "deepest", "largest", "new object", "invalid"];
 
 /// What may be typed beside a query.
 const WORDS: &str = "or type absent, deepest, largest, new object, invalid, test:NAME, test:NAME#NUMBER, node:NUMBER";
@@ -84,8 +88,7 @@ impl BreakPoint {
                         .map_err(|_| format!("`{number}` is no number of a node"))?,
                 ),
                 _ => {
-                    let query: TreeQuery =
-                        text.parse().map_err(|error| format!("{error}; {WORDS}"))?;
+                    let query: TreeQuery = text.parse().map_err(|error| no_break(text, &error))?;
                     BreakKind::Rays(query.of_each_ray().clone())
                 }
             },
@@ -139,6 +142,15 @@ impl BreakPoint {
         let (before, behind): (Vec<_>, Vec<_>) = stops.partition(|at| *at <= event);
         Some((before.len(), before.len() + behind.len()))
     }
+}
+
+/// What a text may have meant that is no break point.
+fn no_break(text: &str, error: &QueryError) -> String {
+    let near = did_you_mean(text, SINGLE);
+    near.map_or_else(
+        || format!("{error}; {WORDS}"),
+        |near| format!("did you mean `{near}`?"),
+    )
 }
 
 /// Tests of `NAME`, or of one shape of it: `NAME#NUMBER`.

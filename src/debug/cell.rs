@@ -1,4 +1,4 @@
-//! The part of space that a node of the accelerator stands for: a box, a ball, or what the planes above it leave.
+//! The part of space that a node of the accelerator stands for: a box, a sphere, or what the planes above it leave.
 
 use super::outline::ObjectOutline;
 use super::session::Session;
@@ -22,8 +22,8 @@ struct HalfSpace {
 pub enum NodeCell {
     /// A convex polyhedron, maybe with sides that do not touch it.
     Convex(ConvexCell),
-    /// A ball.
-    Ball(DVec3, f64),
+    /// A sphere with its inside: center and radius.
+    Sphere(DVec3, f64),
 }
 
 /// What lies on the right side of all its planes, inside a box.
@@ -41,7 +41,7 @@ impl NodeCell {
         let (accel, shapes) = (&session.world.accel, &session.world.scene.shapes);
         match accel.volume(shapes, visit.node) {
             Some(Volume::Box(bounds)) => return Some(Self::Convex(ConvexCell::of(bounds)?)),
-            Some(Volume::Sphere { center, radius }) => return Some(Self::Ball(center, radius)),
+            Some(Volume::Sphere { center, radius }) => return Some(Self::Sphere(center, radius)),
             None => {}
         }
         let mut cell = ConvexCell::of(accel.bounds()?)?;
@@ -69,7 +69,7 @@ impl NodeCell {
                 let inside = |side: &HalfSpace| side.n.dot(p) <= side.d + tolerance;
                 cell.sides.iter().all(inside)
             }
-            Self::Ball(center, radius) => p.distance(*center) <= radius + tolerance,
+            Self::Sphere(center, radius) => p.distance(*center) <= radius + tolerance,
         }
     }
 
@@ -80,7 +80,7 @@ impl NodeCell {
                 let faces = cell.sides.iter().map(|side| cell.section(side.n, side.d));
                 ObjectOutline::Edges(faces.flatten().collect())
             }
-            Self::Ball(center, radius) => ObjectOutline::Sphere(*center, *radius),
+            Self::Sphere(center, radius) => ObjectOutline::Sphere(*center, *radius),
         }
     }
 }

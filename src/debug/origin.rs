@@ -27,7 +27,7 @@ pub enum OriginPlace {
 }
 
 /// What is known of the event whose numbers are followed.
-struct Of<'a> {
+struct OriginFinder<'a> {
     view: View<'a>,
     tree: &'a RayTree,
     event: usize,
@@ -41,7 +41,7 @@ pub fn origins(view: View, event: usize) -> Vec<Origin> {
     let Some(what) = tree.events.get(event) else {
         return Vec::new();
     };
-    let mut of = Of {
+    let mut of = OriginFinder {
         view,
         tree,
         event,
@@ -150,7 +150,7 @@ fn is_boundary(event: &Event) -> bool {
     matches!(event, Event::Boundary { .. })
 }
 
-impl Of<'_> {
+impl OriginFinder<'_> {
     fn push(&mut self, what: &'static str, place: OriginPlace) {
         if self.list.len() < MOST {
             self.list.push(Origin { what, place });

@@ -28,12 +28,12 @@ pub struct SceneSource {
     label: String,
     /// Its name, if it does not name itself.
     name: String,
-    from: Origin,
+    from: SceneOrigin,
 }
 
 /// What a scene is read from.
 #[derive(Clone, Debug)]
-enum Origin {
+enum SceneOrigin {
     /// The text of a scene file, and the files that it may name.
     Text(String, Files),
     /// A model, among these files.
@@ -59,10 +59,10 @@ impl SceneSource {
         if let Some(text) = builtin::scene(spec) {
             let mut files = Files::embedded(builtin::file);
             files.take(text.as_bytes());
-            return Ok(Some(of(Origin::Text(text.to_owned(), files))));
+            return Ok(Some(of(SceneOrigin::Text(text.to_owned(), files))));
         }
         if procedural::is_named(spec) {
-            return Ok(Some(of(Origin::Computed)));
+            return Ok(Some(of(SceneOrigin::Computed)));
         }
         let path = Path::new(spec);
         if ends_in(path, "obj") {
@@ -78,9 +78,9 @@ impl SceneSource {
         let stem = path.file_stem().and_then(|s| s.to_str()).unwrap_or(spec);
         Ok(if ends_in(path, "json") {
             let text = files.open(path).map_err(|p| p.in_file(spec))?;
-            Some(Self::of(spec, stem, Origin::Text(text, files)))
+            Some(Self::of(spec, stem, SceneOrigin::Text(text, files)))
         } else if ends_in(path, "obj") {
-            Some(Self::of(spec, stem, Origin::Model(files)))
+            Some(Self::of(spec, stem, SceneOrigin::Model(files)))
         } else {
             None
         })
@@ -91,7 +91,11 @@ impl SceneSource {
         const NAME: &str = "scene";
         let mut files = Files::in_memory(BTreeMap::new());
         files.check_text(text).map_err(|p| p.in_file(NAME))?;
-        Ok(Self::of(NAME, NAME, Origin::Text(text.to_owned(), files)))
+        Ok(Self::of(
+            NAME,
+            NAME,
+            SceneOrigin::Text(text.to_owned(), files),
+        ))
     }
 
     /// The scene file on standard input, which may name OBJ files in the current folder. An error if it is a terminal, where nobody
@@ -107,11 +111,11 @@ impl SceneSource {
         let text = files
             .read_stdin(stdin.lock())
             .map_err(|p| p.in_file(STANDARD_INPUT))?;
-        let from = Origin::Text(text, files);
+        let from = SceneOrigin::Text(text, files);
         Ok(Self::of(STANDARD_INPUT, STANDARD_INPUT, from))
     }
 
-    fn of(label: &str, name: &str, from: Origin) -> Self {
+    fn of(label: &str, name: &str, from: SceneOrigin) -> Self {
         Self {
             label: label.to_owned(),
             name: name.to_owned(),
@@ -122,9 +126,11 @@ impl SceneSource {
     /// The scene as it is.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         match &self.from {
-            Origin::Text(text, files) => resolve(self.parsed(text)?, &self.label, files.clone()),
-            Origin::Model(files) => model_scene(&self.label, &self.name, files.clone()),
-            Origin::Computed => procedural::load(&self.label)
+            SceneOrigin::Text(text, files) => {
+                resolve(self.parsed(text)?, &self.label, files.clone())
+            }
+            SceneOrigin::Model(files) => model_scene(&self.label, &self.name, files.clone()),
+            SceneOrigin::Computed => procedural::load(&self.label)
                 .unwrap_or_else(|| Err(self.error(Problem::new("there is no such scene", "")))),
         }
     }
@@ -171,7 +177,7 @@ impl SceneSource {
             let cure = "change the file itself, or keep its meshes in OBJ files that it names";
             self.error(Problem::new(what, cure))
         };
-        if let Origin::Text(text, files) = &self.from {
+        if let SceneOrigin::Text(text, files) = &self.from {
             if text.len() > MAX_CHANGED_BYTES {
                 let most = MAX_CHANGED_BYTES >> 20;
                 return Err(too_large(format!(

@@ -141,7 +141,8 @@ fn what_is_no_break_point_is_told() {
     for (text, told) in [
         ("node:x", "`x` is no number"),
         ("test:ball#x", "`x` is no number of a shape"),
-        ("deepst", "deepest"),
+        ("deepst", "did you mean `deepest`?"),
+        ("nothing like it", "test:NAME"),
         ("", "letter 1"),
     ] {
         let error = BreakPoint::new(text).expect_err(text);

@@ -1,4 +1,4 @@
-//! Numbers of a change: set, or reckoned from what is there; and how they are written.
+//! Numbers of a change: set, or computed from what is there; and how they are written.
 
 use serde_json::{Map, Number, Value};
 
@@ -13,11 +13,11 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// The new value. A number is reckoned with a number, a list of numbers with a number or with a list of as many.
+    /// The new value. `+=` and `*=` take a number and a number, or a list of numbers and a number or a list of as many.
     pub fn apply(self, now: Option<&Value>, by: &Value) -> Result<Value, Problem> {
         match (self, now, by) {
             (Self::Set, ..) => Ok(by.clone()),
-            (_, Some(Value::Number(now)), Value::Number(by)) => self.reckoned(now, by),
+            (_, Some(Value::Number(now)), Value::Number(by)) => self.computed(now, by),
             (_, Some(Value::Array(list)), Value::Number(_)) => {
                 let each = list.iter().map(|now| self.apply(Some(now), by));
                 each.collect::<Result<_, _>>().map(Value::Array)
@@ -28,13 +28,13 @@ impl Operation {
                 each.collect::<Result<_, _>>().map(Value::Array)
             }
             _ => Err(Problem::new(
-                "there is no number here to reckon with",
+                "`+=` and `*=` need a number on both sides",
                 "write = and the new value, or check the spelling",
             )),
         }
     }
 
-    fn reckoned(self, now: &Number, by: &Number) -> Result<Value, Problem> {
+    fn computed(self, now: &Number, by: &Number) -> Result<Value, Problem> {
         let (Some(now), Some(by)) = (now.as_f64(), by.as_f64()) else {
             return Err(too_large());
         };

@@ -3,29 +3,15 @@
 use crossterm::event::KeyCode;
 use ratatui::buffer::Buffer;
 
-use super::support::{app, buffer, key, keys, of_scene, of_source, opened, settle, text};
+use super::support::{
+    app, buffer, enter, is_as_set, key, keys, of_scene, of_source, opened, settle, text,
+};
 use crate::probe::Silent;
 use crate::scene::effects::effects;
 use crate::scene::{Edit, Effect, Patch, flags, source};
 use crate::tracer::pixel;
 use crate::tui::model::{Overlay, Prompt};
 use crate::tui::terminal::program::Program;
-
-fn enter(app: &mut Program, letters: &str) {
-    keys(app, letters);
-    key(app, KeyCode::Enter);
-    settle(app);
-}
-
-/// Every pixel that is shown is that of the present scene and settings.
-#[track_caller]
-fn is_as_set(app: &Program) {
-    let (width, height) = app.model.picture.size;
-    for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-        let traced = pixel(&app.model.world, &app.model.settings, at, &mut Silent).color;
-        assert_eq!(app.model.picture.color(at), Some(traced), "{at:?}");
-    }
-}
 
 #[test]
 fn the_picture_follows_a_change_and_its_undoing_bit_by_bit() {

@@ -2,11 +2,9 @@
 
 use crossterm::event::KeyCode;
 
-use super::support::{key, keys, of_scene, settle, text};
-use crate::probe::Silent;
+use super::support::{is_as_set, key, keys, of_scene, settle, text};
 use crate::scene::Effect;
 use crate::scene::effects::findings;
-use crate::tracer::pixel;
 use crate::tui::model::Action;
 use crate::tui::terminal::program::Program;
 
@@ -14,15 +12,6 @@ fn soft_shadow() -> Program {
     let mut app = of_scene("soft-shadow", 100, 40, |_| ());
     settle(&mut app);
     app
-}
-
-/// Every pixel that is known is the tracer's with the present settings.
-fn is_as_set(app: &Program) {
-    let (width, height) = app.model.picture.size;
-    for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-        let traced = pixel(&app.model.world, &app.model.settings, at, &mut Silent).color;
-        assert_eq!(app.model.picture.color(at), Some(traced), "{at:?}");
-    }
 }
 
 #[test]

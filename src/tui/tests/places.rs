@@ -2,16 +2,10 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::support::{app, key, keys, opened, position, settle, text};
+use super::support::{app, enter, key, keys, opened, position, settle, text};
 use crate::probe::Event;
 use crate::tui::model::{Message, Overlay};
 use crate::tui::terminal::program::Program;
-
-/// Types letters and Enter.
-fn enter(app: &mut Program, letters: &str) {
-    keys(app, letters);
-    key(app, KeyCode::Enter);
-}
 
 fn event(app: &Program) -> Event {
     let session = app.model.session.as_ref().expect("a tree");
@@ -63,7 +57,11 @@ fn a_run_stops_at_break_points_forwards_and_back() {
     enter(&mut app, "bdeepest");
     assert!(app.model.breaks.is_empty());
     enter(&mut app, "bdeepst");
-    assert!(text(&app).contains("test:NAME"), "{}", text(&app));
+    assert!(
+        text(&app).contains("did you mean `deepest`?"),
+        "{}",
+        text(&app)
+    );
     assert!(matches!(app.model.overlay, Some(Overlay::Prompt(..))));
 }
 

@@ -4,20 +4,13 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::layout::{Position, Rect};
 
 use super::support::{app_with, buffer, keys, settle};
+use crate::sampling::stream::splitmix64;
 use crate::tui::model::bindings::ACTIONS;
 use crate::tui::model::{Mouse, Request};
 use crate::tui::terminal::program::Program;
 
 /// Inputs of a run; with `RAYTREE_KEYS=n` that many.
 const INPUTS: u64 = 1200;
-
-/// `SplitMix64` (Steele, Lea and Flood 2014).
-fn next(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
 
 const SIZES: [(u16, u16); 10] = [
     (120, 36),
@@ -116,10 +109,9 @@ fn no_keys_in_any_order_break_it() {
     settle(&mut app);
     let (start, hash) = (app.model.settings, app.model.world.scene.hash.clone());
     let mut changed = 0;
-    let mut state = 7;
     let (mut settled, mut drawn) = (0, 0);
-    for _ in 0..inputs {
-        let dice = next(&mut state);
+    for number in 0..inputs {
+        let dice = splitmix64(number);
         input(&mut app, dice);
         // Many samples would take all the time.
         if app.model.settings.pixel.samples > 4 || app.model.settings.light.samples > 32 {

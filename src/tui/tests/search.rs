@@ -2,15 +2,8 @@
 
 use crossterm::event::KeyCode;
 
-use super::support::{app, keys, of_scene, opened, settle, text};
+use super::support::{app, enter, keys, of_scene, opened, settle, text};
 use crate::tui::terminal::program::Program;
-
-/// Types letters, then Enter.
-fn enter(app: &mut Program, letters: &str) {
-    keys(app, letters);
-    super::support::key(app, KeyCode::Enter);
-    settle(app);
-}
 
 fn glass() -> Program {
     let mut app = of_scene("glass-block", 120, 40, |_| ());

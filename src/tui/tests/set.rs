@@ -2,14 +2,8 @@
 
 use crossterm::event::KeyCode;
 
-use super::support::{app, buffer, key, keys, of_scene, opened, settle, text};
+use super::support::{app, buffer, enter, key, keys, of_scene, opened, settle, text};
 use crate::tui::terminal::program::Program;
-
-fn enter(app: &mut Program, letters: &str) {
-    keys(app, letters);
-    key(app, KeyCode::Enter);
-    settle(app);
-}
 
 #[test]
 fn the_noise_of_a_penumbra_takes_three_keys_and_less_of_it_two_more() {

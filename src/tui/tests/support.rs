@@ -10,8 +10,10 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
+use crate::probe::Silent;
 use crate::scene::{Patch, SceneSource};
 use crate::tracer::image::ColorLevel;
+use crate::tracer::pixel;
 use crate::tui::model::{Action, Message, Mouse, Options};
 use crate::tui::panes;
 use crate::tui::terminal::program::Program;
@@ -130,6 +132,22 @@ pub fn key(app: &mut Program, code: KeyCode) {
 pub fn keys(app: &mut Program, letters: &str) {
     for letter in letters.chars() {
         key(app, KeyCode::Char(letter));
+    }
+}
+
+/// Types letters, then Enter.
+pub fn enter(app: &mut Program, letters: &str) {
+    keys(app, letters);
+    key(app, KeyCode::Enter);
+}
+
+/// Every pixel that is known is the tracer's, for the present scene and settings.
+#[track_caller]
+pub fn is_as_set(app: &Program) {
+    let (width, height) = app.model.picture.size;
+    for at in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        let traced = pixel(&app.model.world, &app.model.settings, at, &mut Silent).color;
+        assert_eq!(app.model.picture.color(at), Some(traced), "{at:?}");
     }
 }
 

@@ -26,7 +26,7 @@ const MOST_RAYS: usize = 2000;
 const MOST_COMPARED: usize = 50_000;
 
 /// The other tree.
-struct Other {
+struct OtherTree {
     facts: PixelFacts,
     /// True if it is of the same pixel of the same scene, so that differences have causes.
     is_same_pixel: bool,
@@ -77,7 +77,7 @@ fn head(
     session: &Session,
     text: &str,
     causes: &TreeDiff,
-    other: &Other,
+    other: &OtherTree,
     pairs: &[RayPair],
 ) -> String {
     let (x, y) = (session.trace.x, session.trace.y);
@@ -144,7 +144,7 @@ fn line(pair: &RayPair, is_cause: bool, pixel: (u32, u32), width: usize) -> Plac
 }
 
 /// The other tree.
-fn other(session: &Session, text: &str) -> Result<Other, String> {
+fn other(session: &Session, text: &str) -> Result<OtherTree, String> {
     let here = (session.trace.x, session.trace.y);
     if let Some((flag, value)) = text.split_once('=') {
         let mut settings = session.settings;
@@ -157,7 +157,7 @@ fn other(session: &Session, text: &str) -> Result<Other, String> {
                 "`{flag}` cannot be compared here; use raytree diff"
             ));
         }
-        return Ok(Other {
+        return Ok(OtherTree {
             facts: pixel_tree::traced(&session.world, &settings, here),
             is_same_pixel: true,
         });
@@ -169,7 +169,7 @@ fn other(session: &Session, text: &str) -> Result<Other, String> {
                 "pixel {text} is outside the picture of {width}x{height}"
             ));
         }
-        return Ok(Other {
+        return Ok(OtherTree {
             facts: pixel_tree::traced(&session.world, &session.settings, pixel),
             is_same_pixel: pixel == here,
         });
@@ -181,7 +181,7 @@ fn other(session: &Session, text: &str) -> Result<Other, String> {
         TreeFileError::Unread(error) => format!("{text}: {}", in_one_line(&error)),
         TreeFileError::Content(what) => what,
     })?;
-    Ok(Other {
+    Ok(OtherTree {
         facts,
         is_same_pixel: true,
     })

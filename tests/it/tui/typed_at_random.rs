@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use portable_pty::PtySize;
 
 use super::Session;
+use crate::random::Random;
 
 /// Inputs of a run; with `RAYTREE_KEYS=n` that many.
 const INPUTS: u64 = 600;
@@ -60,14 +61,6 @@ const INPUT: [&str; 28] = [
 /// All letters but those that end the program at the picture.
 const LETTERS: &str = "abcdefghijklmnoprstuvwyzABCDEFGHIJKLMNOPRSTUVWXYZ<>[]{}+!?'";
 
-/// `SplitMix64` (Steele, Lea and Flood 2014).
-fn next(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
-
 #[test]
 fn whatever_is_typed_it_goes_on() {
     let inputs = std::env::var("RAYTREE_KEYS").map_or(INPUTS, |n| n.parse().expect("a number"));
@@ -78,10 +71,10 @@ fn whatever_is_typed_it_goes_on() {
     command.cwd(folder.path());
     let mut session = Session::start(command);
     session.wait_for("open its ray tree");
-    let mut state = 2026;
+    let mut random = Random(2026);
     let letters: Vec<char> = LETTERS.chars().collect();
     for number in 0..inputs {
-        let dice = next(&mut state);
+        let dice = random.bits();
         let choice = (dice >> 8) as usize;
         match dice % 8 {
             0 => resize(&mut session, SIZES[choice % SIZES.len()]),
