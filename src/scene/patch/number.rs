@@ -28,7 +28,7 @@ impl Operation {
                 each.collect::<Result<_, _>>().map(Value::Array)
             }
             _ => Err(Problem::new(
-                "`+=` and `*=` need a number on both sides",
+                "there is no number here that += and *= could change",
                 "write = and the new value, or check the spelling",
             )),
         }
