@@ -47,7 +47,9 @@ fn a_step_is_found_and_opened_again_from_a_pasted_line() {
 fn a_colour_is_explained_and_noise_is_made_and_halved() {
     let mut session = Session::raytree(&["view", "whitted"]);
     session.wait_for("open its ray tree");
-    session.keys("\rG\tz");
+    session.keys("\r");
+    session.wait_for("ray tree:");
+    session.keys("G\tz");
     session.wait_for("x 255");
     session.keys("qqq");
     session.end();
