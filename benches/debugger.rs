@@ -8,6 +8,8 @@
 
 #[path = "common/ball.rs"]
 mod ball;
+#[path = "common/lamps.rs"]
+mod lamps;
 #[path = "common/obj.rs"]
 mod obj;
 #[path = "common/program.rs"]
@@ -38,22 +40,35 @@ const STARTS: usize = 9;
 /// The screens: the usual one and a large one.
 const SCREENS: [(u16, u16); 2] = [(80, 24), (160, 50)];
 
-/// Trees: a usual one, and a large one.
-const SCENES: [(&str, &[&str]); 2] = [
-    ("whitted", &["whitted"]),
-    (
-        "lamps, 64x48, 16 samples of 64 shadow rays",
-        &[
-            "lamps",
-            "--size",
-            "64x48",
-            "--samples",
-            "16",
-            "--light-samples",
-            "64",
-        ],
-    ),
-];
+/// A scene whose trees are opened: its name in the tables, and arguments of `raytree view`.
+struct Opened {
+    name: &'static str,
+    args: Vec<String>,
+    /// True if its tree is as large as a log can keep: it is opened once, and not measured how quick that is.
+    is_huge: bool,
+}
+
+/// A usual tree, a large one, and one of a million rays, in the scene in this file.
+fn scenes(million: &str) -> [Opened; 3] {
+    let of = |name, args: &str, is_huge| Opened {
+        name,
+        args: args.split(' ').map(str::to_owned).collect(),
+        is_huge,
+    };
+    [
+        of("whitted", "whitted", false),
+        of(
+            "lamps, 64x48, 16 samples of 64 shadow rays",
+            "lamps --size 64x48 --samples 16 --light-samples 64",
+            false,
+        ),
+        of(
+            "3950 samples of 256 shadow rays: 1,015,150 rays, 5.1 million events",
+            &format!("{million} --size 8x6 --samples 3950 --sampling random"),
+            true,
+        ),
+    ]
+}
 
 /// A kind of key, the key, and what is pressed after it, untimed, so that it has something to do again.
 type Kind = (&'static str, &'static str, &'static [&'static str]);
@@ -66,7 +81,7 @@ const IN_PICTURE: [Kind; 3] = [
 ];
 
 /// While a tree is open.
-const IN_TREE: [Kind; 17] = [
+const IN_TREE: [Kind; 20] = [
     ("close", "q", &["\r"]),
     ("step", "n", &[]),
     ("back", "p", &[]),
@@ -81,6 +96,9 @@ const IN_TREE: [Kind; 17] = [
     ("zoom", "z", &[]),
     ("view", "v", &[]),
     ("run", "x", &["g"]),
+    ("next change", ")", &[]),
+    ("change before", "(", &[]),
+    ("watches", "#", &["\x1b"]),
     ("find next", "f", &[]),
     ("where from", "w", &["\x1b"]),
     ("help", "?", &[]),
@@ -119,30 +137,60 @@ fn pressed(terminal: &mut Terminal, (_, key, others): Kind) -> [f64; 3] {
     [median(times), worst, cpu / presses as f64]
 }
 
+/// Opens a tree, and sets what must not make keys slower: a break point that never stops, one that counts, four watched
+/// numbers, and a search that goes on.
+fn open_all(terminal: &mut Terminal) {
+    terminal.press("\r");
+    open(terminal);
+    for typed in [
+        "b",
+        "hits:nothing\r",
+        "b",
+        "L blocked every 1000000th\r",
+        "*",
+        "running sum\r",
+        "*",
+        "throughput\r",
+        "*",
+        "t\r",
+        "*",
+        "N\r",
+        "/",
+        "some(depth >= 99)\r",
+    ] {
+        terminal.press(typed);
+    }
+}
+
 /// A row for each kind of key: the median and the worst of each screen and scene.
 fn keys() -> String {
     let mut text = String::new();
-    for (name, args) in SCENES {
-        let kinds = IN_PICTURE.iter().chain(&IN_TREE);
-        let mut rows: Vec<_> = kinds.map(|kind| vec![kind.0.to_string()]).collect();
+    let million = lamps::written();
+    let path = million.path().to_str().expect("a plain path");
+    for Opened {
+        name,
+        args,
+        is_huge,
+    } in scenes(path)
+    {
+        let args: Vec<&str> = args.iter().map(String::as_str).collect();
+        let kinds = || {
+            let in_picture = IN_PICTURE.iter().map(|kind| (kind, false));
+            let all = in_picture.chain(IN_TREE.iter().map(|kind| (kind, true)));
+            all.filter(move |(kind, _)| !is_huge || !["open", "close"].contains(&kind.0))
+        };
+        let mut rows: Vec<_> = kinds().map(|(kind, _)| vec![kind.0.to_string()]).collect();
         for size in SCREENS {
-            let mut terminal = Terminal::view(args, size);
+            let mut terminal = Terminal::view(&args, size);
             terminal.redraw();
             terminal.settled();
-            for (number, row) in rows.iter_mut().enumerate() {
-                let kind = match number.checked_sub(IN_PICTURE.len()) {
-                    None => IN_PICTURE[number],
-                    Some(number) => IN_TREE[number],
-                };
-                if number == IN_PICTURE.len() {
-                    terminal.press("\r");
-                    open(&mut terminal);
-                    // A break point that never stops, and a search that goes on.
-                    for typed in ["b", "hits:nothing\r", "/", "some(depth >= 99)\r"] {
-                        terminal.press(typed);
-                    }
+            let mut is_open = false;
+            for ((kind, in_tree), row) in kinds().zip(&mut rows) {
+                if in_tree && !is_open {
+                    open_all(&mut terminal);
+                    is_open = true;
                 }
-                row.extend(pressed(&mut terminal, kind).map(|t| format!("{t:.1}")));
+                row.extend(pressed(&mut terminal, *kind).map(|t| format!("{t:.1}")));
             }
         }
         let head = SCREENS.iter().flat_map(|(columns, rows)| {

@@ -26,7 +26,7 @@ mod space;
 mod tolerance;
 mod volume;
 
-pub use all_hits::exit_of_solid;
+pub use all_hits::further_hits;
 pub use fast::PACKET_SIZE;
 pub use inspect::{AccelStats, NodeView, Progress};
 pub use kind::{AccelKind, clearest, fastest};
@@ -143,6 +143,28 @@ impl Accel {
         let mut hit = AnyHit(None);
         self.search(&Query::new(shapes, ray, interval), &mut hit, probe);
         hit.0
+    }
+
+    /// A hit of `ray` as [`Accel::closest`] or, for shadow rays, [`Accel::any_hit`] finds it, but with the far child of each node
+    /// first: for looking at the order only. `None` if the structure is no BSP tree in double precision.
+    pub fn hit_far_first<P: Probe>(
+        &self,
+        shapes: &[Shape],
+        (ray, interval): (&Ray, Interval),
+        is_shadow: bool,
+        probe: &mut P,
+    ) -> Option<Option<Hit>> {
+        let Self::Bsp(bsp, _) = self else {
+            return None;
+        };
+        let query = Query::new(shapes, ray, interval);
+        let (mut closest, mut any) = (None, AnyHit(None));
+        if is_shadow {
+            bsp.search_far_first(&query, &mut any, probe);
+        } else {
+            bsp.search_far_first(&query, &mut closest, probe);
+        }
+        Some(closest.or(any.0))
     }
 
     /// Traverses the structure; `found` decides which hits are wanted.

@@ -12,9 +12,11 @@ mod effects;
 mod end_signals;
 mod find;
 mod grade;
+mod lesson;
 mod new_file;
 mod notices;
 mod output;
+mod raster;
 mod reduce;
 mod render;
 mod run_programs;
@@ -68,6 +70,9 @@ enum Command {
     View(view::View),
     /// Render a scene to a PNG file, or as text on the terminal
     Render(render::Render),
+    /// Draw a scene's triangles row by row: flat, Gouraud or Phong shading
+    #[command(after_help = raster::HELP)]
+    Raster(raster::Raster),
     /// Write the ray tree of one pixel
     Trace(trace::Trace),
     /// Tell which effects a scene calls for, and why
@@ -82,6 +87,8 @@ enum Command {
     Diff(diff::Diff),
     /// Mark what students hand in, and name the law that their tracers break
     Grade(grade::Grade),
+    /// Learn ray tracing: chapters with exercises, from the first ray to soft shadows
+    Lesson(lesson::Lesson),
     /// Measure what accuracy costs in time
     Cost(cost::Cost),
     /// Look at hard cases: what common arithmetic makes of them, and what raytree does
@@ -137,12 +144,14 @@ fn run(cli: Cli) -> Result<Completion, Failure> {
         None => view::View::default().run(),
         Some(Command::View(command)) => command.run(),
         Some(Command::Render(command)) => command.run(),
+        Some(Command::Raster(command)) => command.run(),
         Some(Command::Trace(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
         Some(Command::Find(command)) => command.run(),
         Some(Command::Reduce(command)) => command.run(),
         Some(Command::Diff(command)) => command.run(),
         Some(Command::Grade(command)) => command.run(),
+        Some(Command::Lesson(command)) => command.run(),
         Some(Command::Cost(command)) => command.run(),
         Some(Command::Stability(command)) => command.run(),
         Some(Command::Scenes(command)) => command.run(),

@@ -2,6 +2,7 @@
 //!
 //! Nothing here knows a terminal, a key or a layout; the faces draw what is computed here.
 
+pub mod asked;
 pub mod breaks;
 pub mod cell;
 pub mod convergence;
@@ -12,7 +13,9 @@ pub mod edit;
 pub mod effects;
 pub mod extent;
 pub mod fan;
+pub mod horizon;
 pub mod landmarks;
+pub mod log_run;
 pub mod marks;
 pub mod origin;
 pub mod outline;
@@ -27,11 +30,13 @@ pub mod running;
 pub mod samples;
 pub mod search;
 pub mod session;
+pub mod step_pairs;
 pub mod step_tree;
 pub mod steps;
 pub mod t_axis;
 #[cfg(test)]
 mod tests;
+pub mod watch;
 pub mod window;
 
 pub use convergence::Convergence;

@@ -15,6 +15,7 @@ pub mod pixel_tree;
 pub mod quantity;
 pub mod report;
 pub mod run;
+pub mod same_tree;
 pub mod selftest;
 pub mod side_by_side;
 pub mod submission;

@@ -5,6 +5,7 @@ pub mod budget;
 pub mod contact_sheet;
 pub mod converge;
 pub mod cost;
+pub mod differ;
 pub mod effort;
 pub mod equal_time;
 pub mod error;
@@ -15,6 +16,7 @@ pub mod parameter;
 pub mod parameters;
 pub mod pareto;
 pub mod plot;
+pub mod raster;
 pub mod show;
 pub mod stability;
 

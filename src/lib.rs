@@ -19,6 +19,7 @@ pub mod geometry;
 pub mod grade;
 #[doc(hidden)]
 pub mod lab;
+pub mod lesson;
 pub mod math;
 #[doc(hidden)]
 pub mod probe;

@@ -6,6 +6,7 @@
 
 pub mod frame;
 pub mod interval;
+pub mod polynomial;
 pub mod ray;
 pub mod rgb;
 pub mod rounding;

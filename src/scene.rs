@@ -16,6 +16,7 @@ mod law;
 pub mod limits;
 mod load;
 mod object;
+mod object_frame;
 pub mod part;
 pub mod patch;
 pub mod printable;
@@ -38,7 +39,8 @@ pub use load::{
     from_json, from_stdin, is_built_in, label, list, load, load_from_memory, names, source,
     source_in_memory,
 };
-pub use object::{Object, VertexData};
+pub use object::{Leaf, Object, VertexData};
+pub use object_frame::ObjectFrame;
 pub use patch::Patch;
 pub use read::error::SceneError;
 pub use read::{error, file};
@@ -50,7 +52,7 @@ pub use source::{Edit, SceneSource};
 pub use trace_command::{changes, trace_command, view_command};
 pub use warning::{Warning, WarningCode};
 
-use crate::geometry::{Arithmetic, Hit, Shape};
+use crate::geometry::{Arithmetic, Body, Csg, Hit, Shape};
 use crate::math::{Ray, Rgb};
 use crate::probe::NONE;
 use crate::shading::{Interaction, Light, Material};
@@ -78,6 +80,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Objects, by index.
     pub objects: Vec<Object>,
+    /// Frames of groups.
+    pub frames: Vec<ObjectFrame>,
     /// All shapes in world space, by primitive id, those of one object next to each other.
     pub shapes: Vec<Shape>,
     /// The object of each primitive.
@@ -92,6 +96,13 @@ pub struct Scene {
     pub changes: Vec<String>,
 }
 
+/// A surface as a flat mesh has it. Few scenes leave smooth normals out: where they do not, nothing is paid for it.
+#[cold]
+#[inline(never)]
+fn flattened<'a>(at: &Interaction, flat: &'a mut Option<Interaction>) -> &'a Interaction {
+    flat.insert(at.flat())
+}
+
 impl Scene {
     /// The object that a primitive belongs to.
     pub fn object_of(&self, primitive: u32) -> &Object {
@@ -101,6 +112,67 @@ impl Scene {
     /// The material of a primitive.
     pub fn material_of(&self, primitive: u32) -> &Material {
         &self.materials[self.object_of(primitive).material as usize]
+    }
+
+    /// The materials that an object shows: its own, and those of the parts that it is cut from.
+    pub fn materials_of<'s>(&'s self, object: &'s Object) -> impl Iterator<Item = &'s Material> {
+        let leaves = object.leaves.iter().map(|leaf| leaf.material);
+        let all = std::iter::once(object.material).chain(leaves);
+        all.map(|index| &self.materials[index as usize])
+    }
+
+    /// Material at a hit: of a solid that is cut from others, that of the leaf.
+    #[inline(always)]
+    pub fn material_at(&self, hit: &Hit) -> &Material {
+        // Parts of other shapes have small numbers.
+        if hit.part < Csg::part(0, 0) {
+            self.material_of(hit.primitive)
+        } else {
+            &self.materials[self.leaf_material(hit) as usize]
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn leaf_material(&self, hit: &Hit) -> u32 {
+        let object = self.object_of(hit.primitive);
+        let leaf = object.leaves.get(Csg::leaf_of(hit.part) as usize);
+        leaf.map_or(object.material, |leaf| leaf.material)
+    }
+
+    /// The name of the part that is hit, of a shape that has parts.
+    pub fn part_name(&self, hit: &Hit) -> Option<&str> {
+        let mut shape = self.shapes[hit.primitive as usize].plain();
+        while let Shape::Transformed(moved) = shape {
+            shape = &moved.shape;
+        }
+        match shape {
+            Shape::Body(body) if matches!(**body, Body::Csg(_)) => {
+                let leaves = &self.object_of(hit.primitive).leaves;
+                let leaf = leaves.get(Csg::leaf_of(hit.part) as usize);
+                leaf.map(|leaf| leaf.name.as_str())
+            }
+            Shape::Body(body) => body.part_name(hit.part),
+            _ => None,
+        }
+    }
+
+    /// Weights of a triangle's corners at a hit, in the order in which the file has them.
+    pub fn barycentric(&self, hit: &Hit) -> Option<[f64; 3]> {
+        let is_triangle = matches!(
+            self.shapes[hit.primitive as usize].plain(),
+            Shape::Triangle(_)
+        );
+        let object = self.object_of(hit.primitive);
+        is_triangle.then(|| object.in_order_of_file(hit.place))
+    }
+
+    /// The frames of the groups that an object stands in, from the innermost outwards.
+    pub fn frames_of(&self, object: &Object) -> impl Iterator<Item = &ObjectFrame> {
+        let frame = |index: u32| self.frames.get(index as usize);
+        std::iter::successors(object.frame.and_then(frame), move |inner| {
+            inner.outer.and_then(frame)
+        })
     }
 
     /// The shapes of an object.
@@ -159,15 +231,31 @@ impl Scene {
 
     /// Interaction at a hit: point, normals, side and surface coordinates.
     pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
-        let mut surface = self.shapes[hit.primitive as usize].surface(ray, hit.t, hit.barycentric);
+        let mut surface =
+            self.shapes[hit.primitive as usize].surface(ray, hit.t, hit.place, hit.part);
         let mut normal = None;
         if let Some(data) = &self.object_of(hit.primitive).vertices {
             let triangle = self.local_index(hit.primitive) as usize;
-            normal = data.normal(triangle, hit.barycentric);
-            if let Some(uv) = data.uv(triangle, hit.barycentric) {
+            normal = data.normal(triangle, hit.place);
+            if let Some(uv) = data.uv(triangle, hit.place) {
                 surface.uv = uv;
             }
         }
         Interaction::new(&surface, ray.direction, normal)
+    }
+
+    /// Interaction at a hit as it is shaded where `effects` are simulated: without [`Effect::Smooth`] a mesh is flat. `flat` is memory
+    /// for that.
+    #[inline]
+    pub fn shaded<'a>(
+        &self,
+        (hit, at): (&Hit, &'a Interaction),
+        effects: Effects,
+        flat: &'a mut Option<Interaction>,
+    ) -> &'a Interaction {
+        if effects.has(Effect::Smooth) || self.object_of(hit.primitive).vertices.is_none() {
+            return at;
+        }
+        flattened(at, flat)
     }
 }

@@ -10,6 +10,7 @@ pub mod document;
 pub mod explain;
 pub mod export;
 pub mod facts;
+pub mod field;
 pub mod format;
 pub mod ledger;
 pub mod light_estimate;
@@ -48,6 +49,23 @@ pub struct PixelTrace {
     pub pixel: Pixel,
     /// Its log and its ray trees.
     pub tree: RayTree,
+}
+
+impl PixelTrace {
+    /// What is known of it before an event: the tree up to there, and a pixel without samples.
+    #[must_use]
+    pub fn until(&self, end: usize) -> Self {
+        Self {
+            pixel: Pixel::default(),
+            tree: self.tree.until(end),
+            ..*self
+        }
+    }
+
+    /// False if only its beginning is known: the pixel has no samples yet, and no colour.
+    pub fn is_whole(&self) -> bool {
+        self.pixel.samples > 0
+    }
 }
 
 /// Traces pixel (x, y) again, as [`crate::tracer::render()`] does, and writes down what happens; with every step

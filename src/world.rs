@@ -10,7 +10,7 @@ mod ray_budget;
 mod ray_cuts;
 mod shells;
 
-use crate::accel::{Accel, AccelKind, Progress, exit_of_solid};
+use crate::accel::{Accel, AccelKind, Progress, further_hits};
 use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Probe, counting};
@@ -19,7 +19,7 @@ use contact::contacts;
 use medium::medium;
 
 pub use contact::Contact;
-pub use interface::{Found, Interface, NextHit};
+pub use interface::{Interface, NextHit};
 pub use medium::{Crossing, OpenMedia};
 pub use ray_budget::RayBudget;
 pub use ray_cuts::RayCuts;
@@ -152,7 +152,7 @@ impl World {
         if self.contact(hit.primitive) == Contact::Isolated {
             hits.clear();
             hits.push(*hit);
-            hits.extend(exit_of_solid(shapes, ray, hit, interval));
+            further_hits(shapes, ray, hit, interval, hits);
         } else {
             self.accel.all_hits_into(hits, shapes, ray, interval);
         }
@@ -179,6 +179,7 @@ impl World {
     }
 
     /// The medium before `ahead`, the crossings that a ray is going to meet: an object, or [`NONE`] for air.
+    #[inline(always)]
     pub fn medium(&self, entered: &OpenMedia, ahead: &[Crossing]) -> u32 {
         medium(entered, ahead, |object| self.ranks[object as usize])
     }

@@ -64,7 +64,7 @@ fn ends(accel: &Accel, shapes: &[Shape], rays: &[Sent]) -> Vec<(DVec3, DVec3)> {
     let end = |(ray, interval): &Sent| {
         let hit = accel.closest(shapes, ray, *interval, &mut Silent)?;
         let shape = &shapes[hit.primitive as usize];
-        let normal = shape.surface(ray, hit.t, hit.barycentric).normal;
+        let normal = shape.surface(ray, hit.t, hit.place, hit.part).normal;
         let towards = if normal.dot(ray.direction) < 0.0 {
             normal
         } else {

@@ -8,7 +8,7 @@ use crate::math::{Interval, Ray};
 use crate::probe::Silent;
 
 impl Accel {
-    /// All hits of `ray` inside `interval`, by t, and of equal t by primitive id. A solid is crossed twice.
+    /// All hits of `ray` inside `interval`, by t, and of equal t by primitive id. A solid is crossed an even number of times.
     /// All accelerators agree, bit for bit.
     pub fn all_hits(&self, shapes: &[Shape], ray: &Ray, interval: Interval) -> Vec<Hit> {
         let mut hits = Vec::new();
@@ -33,8 +33,8 @@ impl Accel {
         hits.dedup();
         let once = hits.len();
         for i in 0..once {
-            let exit = exit_of_solid(shapes, ray, &hits[i], interval);
-            hits.extend(exit);
+            let first = hits[i];
+            further_hits(shapes, ray, &first, interval, hits);
         }
         if hits.len() > once {
             hits.sort_unstable_by(in_order);
@@ -42,19 +42,34 @@ impl Accel {
     }
 }
 
-/// Exit of a ray from the solid that it enters at `first`; `None` if that is no solid.
-pub fn exit_of_solid(shapes: &[Shape], ray: &Ray, first: &Hit, interval: Interval) -> Option<Hit> {
+/// Adds the hits of a ray with a shape behind the `first`: the exit of a solid, and where it goes in and out again, or where a folded
+/// patch is crossed once more.
+pub fn further_hits(
+    shapes: &[Shape],
+    ray: &Ray,
+    first: &Hit,
+    interval: Interval,
+    hits: &mut Vec<Hit>,
+) {
     let shape = &shapes[first.primitive as usize];
-    if !shape.is_solid() {
-        return None;
+    if !shape.is_crossed_often() {
+        return;
     }
-    let rest = Interval::new(first.t, interval.max);
-    match shape.intersect(ray, &Shear::new(ray), rest) {
-        Intersection::Hit { t, barycentric } => Some(Hit {
+    let shear = Shear::new(ray);
+    let mut from = first.t;
+    // As often as it is tested; a solid of one span is met once more at most.
+    while let Intersection::Hit { t, place, part } =
+        shape.intersect(ray, &shear, Interval::new(from, interval.max))
+    {
+        hits.push(Hit {
             t,
             primitive: first.primitive,
-            barycentric,
-        }),
-        _ => None,
+            part,
+            place,
+        });
+        if shape.is_convex() {
+            return;
+        }
+        from = t;
     }
 }

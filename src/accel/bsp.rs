@@ -14,6 +14,7 @@
 
 mod build;
 pub mod classify;
+mod far_first;
 mod sah;
 mod traverse;
 

@@ -75,13 +75,14 @@ impl<'a> Query<'a> {
     pub fn test<C: Collect, P: Probe>(&self, primitive: u32, found: &mut C, probe: &mut P) {
         let shape = &self.shapes[primitive as usize];
         let (verdict, t) = match shape.intersect(&self.ray, &self.shear, self.interval) {
-            Intersection::Hit { t, barycentric } => {
+            Intersection::Hit { t, place, part } => {
                 let best = found.closest();
                 if best.is_none_or(|b| (t, primitive) < (b.t, b.primitive)) {
                     found.add(Hit {
                         t,
                         primitive,
-                        barycentric,
+                        part,
+                        place,
                     });
                     (Verdict::Hit, t)
                 } else {

@@ -26,6 +26,7 @@ pub const HELP: &str = "\
 A query is true or false of the eye ray of a pixel:
   hit, miss, back                  it ends on a surface, on none, on a surface from inside
   hits:NAME, material:NAME         it ends on such an object or material
+  part:NAME                        it ends on such a part: wall, top, what a csg is made of
   lit:NAME, blocked:NAME           where it ends, such a light arrives, or something is in its way
   absent:REASON                    where it ends, a ray is not sent, as in absent:depth-limit
   path:TT>NAME                     two transmitted rays follow, and the second ends on such an object

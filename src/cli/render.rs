@@ -1,6 +1,6 @@
 //! `raytree render`: the picture.
 
-mod files;
+pub mod files;
 mod report;
 mod show;
 mod stats;
@@ -241,7 +241,7 @@ choose --sampling random, jittered or sobol"
 }
 
 /// The largest picture of the same shape that fits the terminal, two pixels a line; 80 columns where there is none.
-fn size_of_terminal(settings: &Settings) -> (u32, u32) {
+pub fn size_of_terminal(settings: &Settings) -> (u32, u32) {
     let terminal = std::io::stdout().is_terminal();
     let (columns, lines) = crossterm::terminal::size()
         .ok()

@@ -2,7 +2,6 @@
 
 mod picture;
 
-use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -11,6 +10,7 @@ use serde_json::json;
 
 use super::output::{self, Destination, Target};
 use super::{ColorArg, Completion, Failure};
+use crate::lab::stability::table::{as_text, verdict};
 use crate::lab::stability::{CASES, Case, Outcome};
 
 #[derive(Args)]
@@ -79,45 +79,6 @@ fn cases() -> impl TypedValueParser<Value = Case> {
         let case = CASES.into_iter().find(|case| case.name == name);
         case.unwrap_or(CASES[0])
     })
-}
-
-fn verdict(outcome: &Outcome) -> &'static str {
-    if outcome.is_right() { "right" } else { "wrong" }
-}
-
-/// A few lines a case. (Writing to a string cannot fail.)
-fn as_text(measured: &[(Case, Vec<Outcome>)], sources: bool) -> String {
-    let mut out = String::new();
-    for (case, outcomes) in measured {
-        let _ = writeln!(out, "{}\n  {}", case.name, case.hard);
-        if sources {
-            let _ = writeln!(out, "  from: {}", case.source);
-        }
-        let unit = outcomes.first().map_or("", |o| o.unit);
-        let _ = writeln!(out, "  {unit:44} found   allowed");
-        for outcome in outcomes {
-            let number = |x: f64| match x {
-                0.0 => "0".to_owned(),
-                x if x >= 0.01 => format!("{x:.2}"),
-                x => format!("{x:.1e}"),
-            };
-            let _ = writeln!(
-                out,
-                "    {:37} {:>9} {:>9}  {}",
-                outcome.arithmetic,
-                number(outcome.found),
-                number(outcome.allowed),
-                verdict(outcome)
-            );
-        }
-    }
-    if !sources {
-        out.push_str(
-            "\nA picture of one: raytree stability shared-edges\n\
-             One of them at work: raytree view whitted --offset none\n",
-        );
-    }
-    out
 }
 
 fn as_json(measured: &[(Case, Vec<Outcome>)]) -> serde_json::Value {

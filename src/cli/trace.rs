@@ -16,6 +16,7 @@ use crate::scene::{FileId, Scene};
 use crate::trace::address::{AddressPart, subtree};
 use crate::trace::export::{Dot, Html, RayLines, Svg, Text, json};
 use crate::trace::facts::TreePath;
+use crate::trace::field::field;
 use crate::trace::{Address, Document, PixelTrace, View, document, trace_pixel};
 
 #[derive(Args)]
@@ -104,9 +105,18 @@ impl Trace {
         if let Some(text) = unheard {
             args.notices.warn(text);
         }
-        let trace = trace_pixel(&world, &settings, pixel, self.traversal);
+        let is_field = matches!(part, Some(AddressPart::Field(_)));
+        let trace = trace_pixel(&world, &settings, pixel, self.traversal || is_field);
         if let Some(AddressPart::Event(event)) = part {
             inside_log(event, &trace)?;
+        }
+        if let Some(AddressPart::Field(name)) = &part {
+            let view = View {
+                world: &world,
+                settings: &settings,
+                trace: &trace,
+            };
+            return self.print_field(view, &path.unwrap_or_default(), name);
         }
         let cut = trace.pixel.cut_warning(&settings, args.label());
         args.notices.tell(cut.as_slice());
@@ -142,6 +152,17 @@ impl Trace {
         let warnings = world.scene.warnings.len() + usize::from(unheard.is_some());
         args.notices.deny(args.label(), warnings)?;
         Ok(Completion::Whole)
+    }
+
+    /// Prints one field of a ray.
+    fn print_field(&self, view: View, path: &TreePath, name: &str) -> Result<Completion, Failure> {
+        if self.output.is_some() {
+            let what =
+                "a field is printed, and not written to a file; leave --output out, or the field";
+            return Err(Failure::Usage(what.to_owned()));
+        }
+        let value = field(view, path, name).map_err(Failure::Usage)?;
+        output::to_stdout((value.text(None) + "\n").as_bytes())
     }
 
     /// An error if the name of the file is that of another format than is written. (That a file is read is told elsewhere.)

@@ -33,6 +33,9 @@ pub struct View {
     no_mouse: bool,
     #[arg(long, value_name = "ADDRESS", help = address::HELP)]
     at: Option<Address>,
+    /// Compare the first tree that is opened with another, as key d does: with X,Y, FLAG=VALUE, a scene or a file of ray trees
+    #[arg(long, value_name = "WHAT")]
+    compare: Option<String>,
     /// Open the marks of this file, as " writes them; the picture has their size
     #[arg(long, value_name = "FILE")]
     marks: Option<PathBuf>,
@@ -71,7 +74,10 @@ impl View {
             threads: args.settings.threads,
             size,
             at,
+            compare: self.compare.clone(),
             marks,
+            show: None,
+            ask: None,
             folder: PathBuf::new(),
         };
         tui::run(world, settings, options).map_err(Failure::Terminal)?;
@@ -108,6 +114,7 @@ impl Default for View {
             color: ColorArg::Auto,
             no_mouse: false,
             at: None,
+            compare: None,
             marks: None,
         }
     }

@@ -1,11 +1,7 @@
 //! Break points: where a run through the log stops.
 
-#[cfg(test)]
-mod tests;
-
-use std::time::Instant;
-
 use super::session::Session;
+use super::watch::Watch;
 use crate::math::DVec3;
 use crate::probe::Event;
 use crate::scene::read::did_you_mean::did_you_mean;
@@ -13,7 +9,7 @@ use crate::trace::TreeQuery;
 use crate::trace::query::{Pattern, QueryError};
 
 /// Break points to begin with.
-pub const READY: [&str; 11] = [
+pub const READY: [&str; 13] = [
     "tir",
     "absent",
     "deepest",
@@ -22,21 +18,29 @@ pub const READY: [&str; 11] = [
     "invalid",
     "miss",
     "blocked:*",
+    "L blocked every 3rd",
+    "changes:throughput",
     "test:*",
     "node:0",
     "depth >= 3",
 ];
 
 /// Break points of one word or two.
-const SINGLE: [&str; 5] = ["absent", "deepest", "largest", "new object", "invalid"];
+const SINGLE: [&str; 7] = [
+    "absent",
+    "deepest",
+    "largest",
+    "new object",
+    "invalid",
+    "L blocked",
+    "L lit",
+];
 
 /// What may be typed beside a query.
-const WORDS: &str = "or type absent, deepest, largest, new object, invalid, test:NAME, test:NAME#NUMBER, node:NUMBER";
+const WORDS: &str = "or type absent, deepest, largest, new object, invalid, L blocked, L lit, test:NAME, test:NAME#NUMBER, \
+                     node:NUMBER, changes:NUMBER; `every 3rd` behind any of them stops at each third";
 
-/// Events between two looks at the clock.
-const BETWEEN: usize = 256;
-
-/// Events of a tree at most of which all that stop a run are counted.
+/// Events of a tree at most of which all that fit a break point are counted.
 const COUNTED: usize = 50_000;
 
 /// How far a direction's length may be from 1: some rounding errors.
@@ -48,6 +52,8 @@ pub struct BreakPoint {
     /// As it was typed.
     pub text: String,
     kind: BreakKind,
+    /// Of the events that fit, counted from the first one of the log, it stops at each so many-th.
+    every: usize,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -68,19 +74,30 @@ enum BreakKind {
     Test(Pattern, Option<u32>),
     /// A visit to a node of the acceleration structure.
     Node(u32),
+    /// An L ray that is stopped on its way, or that reaches its light.
+    Shadow(bool),
+    /// Another value of a watched number.
+    Changes(Watch),
 }
 
 impl BreakPoint {
-    /// A break point from its text. An error says what could be typed.
-    pub fn new(text: &str) -> Result<Self, String> {
+    /// A break point from its text; the session tells which numbers there are. An error says what could be typed.
+    pub fn new(text: &str, session: Option<&Session>) -> Result<Self, String> {
         let text = text.trim();
-        let kind = match text {
+        let (what, every) = counted_by(text);
+        let kind = match what {
+            "L blocked" => BreakKind::Shadow(false),
+            "L lit" => BreakKind::Shadow(true),
             "absent" => BreakKind::Absent,
             "deepest" => BreakKind::Deepest,
             "largest" => BreakKind::Largest,
             "new object" => BreakKind::NewObject,
             "invalid" => BreakKind::Invalid,
-            _ => match text.split_once(':') {
+            _ => match what.split_once(':') {
+                Some(("changes", number)) => {
+                    let session = session.ok_or("open the ray tree of a pixel first")?;
+                    BreakKind::Changes(Watch::new(number, session)?)
+                }
                 Some(("test", name)) => tests_of(name)?,
                 Some(("node", number)) => BreakKind::Node(
                     number
@@ -88,7 +105,7 @@ impl BreakPoint {
                         .map_err(|_| format!("`{number}` is no number of a node"))?,
                 ),
                 _ => {
-                    let query: TreeQuery = text.parse().map_err(|error| no_break(text, &error))?;
+                    let query: TreeQuery = what.parse().map_err(|error| no_break(what, &error))?;
                     BreakKind::Rays(query.of_each_ray().clone())
                 }
             },
@@ -96,11 +113,36 @@ impl BreakPoint {
         Ok(Self {
             text: text.to_owned(),
             kind,
+            every,
         })
     }
 
-    /// True if a run stops at an event.
-    pub fn stops_at(&self, session: &Session, event: usize) -> bool {
+    /// The break point at each change of a watched number.
+    pub fn at_changes(watch: &Watch) -> Self {
+        Self {
+            text: format!("changes:{}", watch.text),
+            kind: BreakKind::Changes(watch.clone()),
+            every: 1,
+        }
+    }
+
+    /// True if it stops at changes of a watched number.
+    pub fn is_change(&self) -> bool {
+        matches!(self.kind, BreakKind::Changes(_))
+    }
+
+    /// True if it stops at each event that fits.
+    pub fn is_single(&self) -> bool {
+        self.every == 1
+    }
+
+    /// True if it stops at the event that is the n-th to fit.
+    pub fn stops_at_nth(&self, n: usize) -> bool {
+        n.is_multiple_of(self.every)
+    }
+
+    /// True if an event is one that it is for.
+    pub fn fits(&self, session: &Session, event: usize) -> bool {
         let (view, tree) = (session.view(), session.tree());
         let Some(what) = tree.events.get(event) else {
             return false;
@@ -128,20 +170,62 @@ impl BreakPoint {
                     && shape.is_none_or(|shape| shape == scene.local_index(*primitive))
             }
             (BreakKind::Node(node), Event::Visit(visit)) => visit.node == *node,
+            (BreakKind::Shadow(lit), Event::Lit) => *lit,
+            (BreakKind::Shadow(lit), Event::Blocked(_)) => !*lit,
+            (BreakKind::Changes(watch), _) => watch.changes_at(session, event),
             _ => false,
         }
     }
 
-    /// Which of all its stops an event is, and how many there are; none in a tree of too many events.
-    pub fn count(&self, session: &Session, event: usize) -> Option<(usize, usize)> {
+    /// The events that fit, in order; none in a tree of too many events, and of what takes long at each.
+    pub fn all(&self, session: &Session) -> Option<Vec<usize>> {
         let events = session.tree().events.len();
-        if events > COUNTED {
+        if events > COUNTED || self.is_change() {
             return None;
         }
-        let stops = (0..events).filter(|at| self.stops_at(session, *at));
-        let (before, behind): (Vec<_>, Vec<_>) = stops.partition(|at| *at <= event);
-        Some((before.len(), before.len() + behind.len()))
+        Some((0..events).filter(|at| self.fits(session, *at)).collect())
     }
+
+    /// How often it stops a run, and how many of the events that fit are there up to one: in words.
+    pub fn counted(&self, session: &Session, all: &[usize], event: usize) -> String {
+        let place = place(session);
+        let before = all.partition_point(|at| *at <= event);
+        if self.is_single() {
+            return format!("{} {place}, {before} of them up to here", all.len());
+        }
+        format!(
+            "{} {place}, {before} of them up to here; stops at {} of them, {} up to here",
+            all.len(),
+            all.len() / self.every,
+            before / self.every
+        )
+    }
+
+    /// The first event at which a run from the start of the log stops.
+    pub fn first_stop(&self, all: &[usize]) -> Option<usize> {
+        all.get(self.every - 1).copied()
+    }
+}
+
+/// Where stops are counted, in words.
+pub fn place(session: &Session) -> &'static str {
+    session
+        .horizon()
+        .map_or("in this tree", |_| "before the question")
+}
+
+/// A text without `every 3rd` at its end, and that number; 1 if there is none.
+fn counted_by(text: &str) -> (&str, usize) {
+    let number = |end: &str| {
+        let digits = end.trim_end_matches(|c: char| c.is_ascii_lowercase());
+        let is_ordinal = ["", "st", "nd", "rd", "th"].contains(&&end[digits.len()..]);
+        let number = digits.parse().ok().filter(|number| *number > 0);
+        number.filter(|_| is_ordinal)
+    };
+    let split = text.rsplit_once(" every ");
+    split
+        .and_then(|(what, end)| Some((what.trim(), number(end.trim())?)))
+        .unwrap_or((text, 1))
 }
 
 /// What a text may have meant that is no break point.
@@ -184,64 +268,4 @@ fn is_invalid(event: &Event) -> bool {
         Event::Return { radiance } => !radiance.is_finite(),
         _ => false,
     }
-}
-
-/// What a run came to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Run {
-    /// It stops at this event, because of the break point with this number.
-    Stopped(usize, usize),
-    /// It came to the end of the log.
-    Ended,
-    /// It came to this event when the time was over.
-    Paused(usize),
-}
-
-/// Runs through the log from an event on, itself not included, until a break point stops it or the time is over.
-pub fn run(
-    session: &Session,
-    points: &[BreakPoint],
-    from: usize,
-    forward: bool,
-    until: Instant,
-) -> Run {
-    let last = session.tree().events.len();
-    let mut at = from;
-    for step in 1.. {
-        let next = if forward {
-            Some(at + 1).filter(|next| *next < last)
-        } else {
-            at.checked_sub(1)
-        };
-        let Some(next) = next else {
-            return Run::Ended;
-        };
-        at = next;
-        if let Some(by) = points.iter().position(|p| p.stops_at(session, at)) {
-            return Run::Stopped(at, by);
-        }
-        if step % BETWEEN == 0 && Instant::now() >= until {
-            return Run::Paused(at);
-        }
-    }
-    Run::Ended
-}
-
-/// All break points: how often each stops a run through this tree, and where it does first.
-pub fn list(session: &Session, points: &[BreakPoint]) -> Vec<(String, Option<usize>)> {
-    let here = session.cursor().position();
-    let events = session.tree().events.len().min(COUNTED);
-    let line = |point: &BreakPoint| {
-        let told = match point.count(session, here) {
-            Some((before, all)) => {
-                format!(
-                    "{}: {all} in this tree, {before} of them up to here",
-                    point.text
-                )
-            }
-            None => format!("{}: not counted, the tree is large", point.text),
-        };
-        (told, (0..events).find(|at| point.stops_at(session, *at)))
-    };
-    points.iter().map(line).collect()
 }

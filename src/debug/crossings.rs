@@ -9,25 +9,16 @@ const LINE: Interval = Interval {
     max: f64::INFINITY,
 };
 
-/// The t of each crossing, in order: two of a solid, one of what is flat, none if the line misses the shape.
+/// The t of each crossing, in order: an even number of a solid, one of what is flat, none if the line misses the shape.
 pub fn crossings(shape: &Shape, ray: &Ray) -> Vec<f64> {
-    let span = match shape {
-        Shape::Sphere(sphere) => sphere.span(ray),
-        Shape::Cuboid(cuboid) => cuboid.span(ray),
-        Shape::Transformed(moved) => {
-            return crossings(&moved.shape, &moved.transform.ray_to_object(ray));
-        }
-        Shape::Naive(naive) => return crossings(&naive.shape, ray),
-        Shape::Triangle(_) | Shape::Plane(_) | Shape::Disc(_) => {
-            return match shape.intersect(ray, &Shear::new(ray), LINE) {
-                Intersection::Hit { t, .. } | Intersection::Behind(t) | Intersection::TooFar(t) => {
-                    vec![t]
-                }
-                Intersection::Miss => Vec::new(),
-            };
-        }
-    };
-    span.map_or_else(Vec::new, |ends| ends.to_vec())
+    let shape = shape.plain();
+    if let Some(spans) = shape.spans(ray) {
+        return spans.cuts().map(|(cut, _)| cut.t).collect();
+    }
+    match shape.intersect(ray, &Shear::new(ray), LINE) {
+        Intersection::Hit { t, .. } | Intersection::Behind(t) | Intersection::TooFar(t) => vec![t],
+        Intersection::Miss => Vec::new(),
+    }
 }
 
 #[cfg(test)]

@@ -21,6 +21,9 @@ pub fn extent(view: View) -> Aabb {
         node.ray.kind != RayKind::Light
             && (node.parent.is_none() || view.fraction(*id) >= VISIBLE_SHARE)
     });
+    if !view.trace.is_whole() {
+        return before_a_question(view);
+    }
     let (mut points, mut met) = (Aabb::EMPTY, Vec::new());
     for id in nodes {
         let node = tree.node(id);
@@ -32,6 +35,19 @@ pub fn extent(view: View) -> Aabb {
         }
     }
     fitted(&view.world.scene, points, met)
+}
+
+/// A box around all that has an end and the starts of the rays: where they end is asked for.
+fn before_a_question(view: View) -> Aabb {
+    let scene = &view.world.scene;
+    let objects = (0..scene.objects.len() as u32).filter_map(|object| bounds(scene, object));
+    let nodes = view.trace.tree.nodes.iter().take(MAX_DRAWN);
+    let starts = nodes.map(|node| node.ray.origin).chain([scene.camera.eye]);
+    fitted(
+        scene,
+        objects.fold(Aabb::around(starts), Aabb::union),
+        Vec::new(),
+    )
 }
 
 /// A box around points, and around the objects that were met there if those are not much larger.

@@ -178,7 +178,7 @@ impl OriginFinder<'_> {
     fn material(&mut self, what: &'static str) {
         let hit = self.own(is_hit).and_then(|at| self.tree.events.get(at));
         if let Some(Event::Hit(hit)) = hit {
-            let name = &self.view.world.scene.material_of(hit.primitive).name;
+            let name = &self.view.world.scene.material_at(hit).name;
             self.input(what, format!("scene: material `{name}`"));
         }
     }
@@ -244,7 +244,7 @@ impl OriginFinder<'_> {
                 let boundary = self.own_of(parent, is_boundary);
                 self.event("n1, n2, F", |_| boundary);
                 if let Some(Event::Hit(hit)) = hit.and_then(|at| self.tree.events.get(at)) {
-                    let name = &self.view.world.scene.material_of(hit.primitive).name;
+                    let name = &self.view.world.scene.material_at(hit).name;
                     self.input("weight", format!("scene: material `{name}`"));
                 }
             }

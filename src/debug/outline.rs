@@ -1,6 +1,6 @@
 //! Outlines of the scene's objects for a line drawing.
 
-use crate::geometry::Shape;
+use crate::geometry::{Body, Quadric, Shape, Solid, SurfacePatch, Torus};
 use crate::math::DVec3;
 use crate::scene::Scene;
 
@@ -87,6 +87,9 @@ fn of_shape(shape: &Shape) -> Option<ObjectOutline> {
             plane.normal().dot(plane.origin()),
         )),
         Shape::Cuboid(cuboid) => Some(ObjectOutline::Edges(edges(cuboid.bounds.corners()))),
+        Shape::Patch(patch) => Some(ObjectOutline::Edges(of_patch(patch))),
+        Shape::Body(body) => Some(ObjectOutline::Edges(of_body(body))),
+        Shape::Polygon(polygon) => Some(ObjectOutline::Edges(polygon.edges().collect())),
         Shape::Disc(disc) => {
             let rim = |[c, s]: [f64; 2]| {
                 disc.center + disc.radius * (c * disc.frame.u + s * disc.frame.v)
@@ -121,6 +124,93 @@ fn of_shape(shape: &Shape) -> Option<ObjectOutline> {
             }
         }
     }
+}
+
+/// The four edges of a leaf, each by a few points.
+fn of_patch(patch: &SurfacePatch) -> Vec<[DVec3; 2]> {
+    const STEPS: u32 = 4;
+    let at = |x: u32| f64::from(x) / f64::from(STEPS);
+    let edges: [fn(f64) -> [f64; 2]; 4] = [|x| [x, 0.0], |x| [x, 1.0], |x| [0.0, x], |x| [1.0, x]];
+    let points = edges.into_iter().flat_map(|edge| {
+        let point = move |i: u32| patch.surface(edge(at(i))).point;
+        (0..STEPS).map(move |i| [point(i), point(i + 1)])
+    });
+    points.collect()
+}
+
+/// Edges of a body in its own space.
+fn of_body(body: &Body) -> Vec<[DVec3; 2]> {
+    match body {
+        Body::Quadric(quadric) => of_quadric(quadric),
+        Body::Torus(torus) => of_torus(torus),
+        Body::Csg(csg) => {
+            let leaves = csg.leaves().filter_map(|solid| match solid {
+                Solid::Shape(shape) => of_shape(shape),
+                Solid::HalfSpace(_) => None,
+                Solid::Polyhedron(polyhedron) => {
+                    let (points, triangles) = polyhedron.mesh();
+                    let corners = triangles.iter().map(|t| t.map(|i| points[i as usize]));
+                    let sides = corners.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+                    Some(ObjectOutline::Edges(sides.collect()))
+                }
+            });
+            leaves.flat_map(as_edges).collect()
+        }
+        other => edges(other.bounds().corners()),
+    }
+}
+
+/// The lines of an outline that has some.
+fn as_edges(outline: ObjectOutline) -> Vec<[DVec3; 2]> {
+    match outline {
+        ObjectOutline::Edges(edges) => edges,
+        ObjectOutline::Sphere(center, radius) => [[DVec3::X, DVec3::Y], [DVec3::X, DVec3::Z]]
+            .into_iter()
+            .flat_map(|[u, v]| loop_of(move |[c, s]| center + radius * (c * u + s * v)))
+            .collect(),
+        ObjectOutline::Points(points) => points.windows(2).map(|p| [p[0], p[1]]).collect(),
+        ObjectOutline::Plane(..) => Vec::new(),
+    }
+}
+
+/// A closed line of [`CIRCLE`] points.
+fn loop_of(point: impl Fn([f64; 2]) -> DVec3) -> Vec<[DVec3; 2]> {
+    let points: Vec<DVec3> = turns().map(point).collect();
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(a, b)| [*a, *b]).collect()
+}
+
+/// Both rims, the circle midway, and four profiles from end to end.
+fn of_quadric(quadric: &Quadric) -> Vec<[DVec3; 2]> {
+    const STEPS: u32 = 16;
+    let h = quadric.half_height();
+    let point = |y: f64, [c, s]: [f64; 2]| {
+        let r = quadric.radius_at(y);
+        DVec3::new(r * c, y, r * s)
+    };
+    let circles = [-h, 0.0, h].map(|y| loop_of(|turn| point(y, turn)));
+    let sides = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+    let profiles = sides.into_iter().flat_map(|side| {
+        let at = move |i: u32| point(h * (2.0 * f64::from(i) / f64::from(STEPS) - 1.0), side);
+        (0..STEPS).map(move |i| [at(i), at(i + 1)])
+    });
+    circles.into_iter().flatten().chain(profiles).collect()
+}
+
+/// Four circles around the axis and eight around the tube.
+fn of_torus(torus: &Torus) -> Vec<[DVec3; 2]> {
+    let point = |[c, s]: [f64; 2], [across, up]: [f64; 2]| {
+        let rho = torus.major + torus.minor * across;
+        DVec3::new(rho * c, torus.minor * up, rho * s)
+    };
+    let around = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+    let rings = around
+        .into_iter()
+        .flat_map(|side| loop_of(|turn| point(turn, side)));
+    let tubes = turns()
+        .step_by(CIRCLE / 8)
+        .flat_map(|turn| loop_of(move |side| point(turn, side)));
+    rings.chain(tubes).collect()
 }
 
 /// Cosine and sine, once around.

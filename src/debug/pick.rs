@@ -34,7 +34,7 @@ pub fn pick<'a>(world: &'a World, settings: &Settings, (x, y): (u32, u32)) -> Op
     Some(Picked {
         object: &world.scene.object_of(hit.primitive).name,
         shape: world.scene.shapes[hit.primitive as usize].kind(),
-        material: &world.scene.material_of(hit.primitive).name,
+        material: &world.scene.material_at(&hit).name,
         t: hit.t,
     })
 }

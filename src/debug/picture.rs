@@ -17,6 +17,8 @@ pub struct PartialPicture {
     pub cursor: (u32, u32),
     /// What the limits of recursion left out of what was rendered.
     pub cuts: CutShare,
+    /// A pixel that is asked for: nothing of it is known until that is answered.
+    pub hidden: Option<(u32, u32)>,
     pixels: Vec<Option<ShownValue>>,
     done: usize,
 }
@@ -35,6 +37,7 @@ impl PartialPicture {
             },
             cursor: (cursor.0.min(size.0 - 1), cursor.1.min(size.1 - 1)),
             cuts: CutShare::default(),
+            hidden: None,
             pixels: Vec::new(),
             done: 0,
         };
@@ -58,7 +61,9 @@ impl PartialPicture {
             scaled(self.cursor.0, self.size.0, fitted.size.0),
             scaled(self.cursor.1, self.size.1, fitted.size.1),
         );
-        Some(Self::new(size, visible, cursor))
+        let mut resized = Self::new(size, visible, cursor);
+        resized.hidden = self.hidden.filter(|_| resized.size == self.size);
+        Some(resized)
     }
 
     /// Moves the window so that the cursor is inside, and in its middle if it was outside. True if it moved: then
@@ -117,8 +122,7 @@ impl PartialPicture {
 
     /// The colour of a pixel or what is shown in its place, if it was rendered and is in the window.
     pub fn exact(&self, at: (u32, u32)) -> Option<ShownValue> {
-        self.window
-            .contains(at)
+        (self.window.contains(at) && self.hidden != Some(at))
             .then(|| self.pixels.get(self.window.index(at)).copied())??
     }
 
@@ -132,7 +136,16 @@ impl PartialPicture {
 
     /// The range of the numbers that are known.
     pub fn range(&self) -> Option<ShownRange> {
-        ShownRange::of(self.pixels.iter().flatten().copied())
+        ShownRange::of(self.shown())
+    }
+
+    /// What the known pixels show.
+    fn shown(&self) -> impl Iterator<Item = ShownValue> {
+        let hidden = self.hidden.filter(|at| self.window.contains(*at));
+        let hidden = hidden.map(|at| self.window.index(at));
+        let pixels = self.pixels.iter().enumerate();
+        let shown = pixels.filter(move |(at, _)| Some(*at) != hidden);
+        shown.filter_map(|(_, value)| *value)
     }
 
     /// How far two pictures are apart at each pixel: in their numbers, or in the luminance of their colours.
@@ -177,21 +190,17 @@ impl PartialPicture {
     /// How many of the numbers that are known fall into each tenth of their range.
     pub fn tenths(&self) -> Option<(ShownRange, [usize; 10])> {
         let range = self.range()?;
-        let numbers = self
-            .pixels
-            .iter()
-            .flatten()
-            .filter_map(|value| match value {
-                ShownValue::Number(x) => Some(*x),
-                _ => None,
-            });
+        let numbers = self.shown().filter_map(|value| match value {
+            ShownValue::Number(x) => Some(x),
+            _ => None,
+        });
         Some((range, tenths(numbers, range)))
     }
 
     /// What a pixel shows, or the smallest block around it that is known.
     pub fn nearest(&self, (x, y): (u32, u32)) -> Option<ShownValue> {
         let Window { x: x0, y: y0, .. } = self.window;
-        if !self.window.contains((x, y)) {
+        if !self.window.contains((x, y)) || self.hidden == Some((x, y)) {
             return None;
         }
         let corner = |block: u32| (x - (x - x0) % block, y - (y - y0) % block);

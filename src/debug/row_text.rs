@@ -4,8 +4,9 @@ use super::rows::{RowKind, TreeRow, TreeRows};
 use super::session::Session;
 use crate::math::Rgb;
 use crate::probe::{Event, RayKind};
+use crate::trace::explain::UNKNOWN;
 use crate::trace::format::num;
-use crate::trace::{Node, Outcome};
+use crate::trace::{Node, Outcome, RayTree};
 
 /// A row in words.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,7 +21,7 @@ pub struct RowText {
     pub name: String,
     /// Distance and share of the pixel, in columns.
     pub columns: String,
-    /// The radiance that it brings back, as exposed; `None` for a ray that was not spawned.
+    /// The radiance that it brings back, as exposed; `None` for a ray that was not spawned, and where it is not known yet.
     pub color: Option<Rgb>,
 }
 
@@ -51,21 +52,45 @@ fn ray(session: &Session, id: u32) -> RowText {
     let t = match node.outcome {
         Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => distance(hit.t),
         Some(Outcome::Lit) => distance(node.ray.t_max),
+        None if !session.trace.is_whole() => UNKNOWN.to_owned(),
         _ => "∞".to_owned(),
     };
-    let share = format!("{:.1}", session.view().fraction(id) * 100.0);
+    let share = share(session, session.view().fraction(id));
     let color = if node.ray.kind == RayKind::Light {
         session.tree().lit_by(id)
     } else {
         node.radiance
     };
+    let is_known = session.trace.is_whole() || is_known(session.tree(), id);
     RowText {
         kind: Some(node.ray.kind),
         name: format!(" {}", met(session, node)),
         columns: format!(" t {t:>8} {share:>6} % "),
-        color: Some(color * session.settings.image.exposure),
+        color: is_known.then_some(color * session.settings.image.exposure),
         ..RowText::default()
     }
+}
+
+/// A share of the pixel in percent; before its colour is known, nothing is.
+fn share(session: &Session, share: f64) -> String {
+    if session.trace.is_whole() {
+        format!("{:.1}", share * 100.0)
+    } else {
+        UNKNOWN.to_owned()
+    }
+}
+
+/// True if the log knows all that a ray brings: of an L ray the terms behind it as well.
+fn is_known(tree: &RayTree, id: u32) -> bool {
+    let node = tree.node(id);
+    let behind = tree.events.get(node.last_event as usize + 1..);
+    let is_own = |event: &&Event| {
+        let ray = (node.ray.light, node.ray.sample);
+        matches!(event, Event::Term { light, sample, .. } if (*light, *sample) == ray)
+    };
+    let is_followed = || behind.unwrap_or_default().iter().any(|e| !is_own(&e));
+    let is_lit = node.outcome == Some(Outcome::Lit);
+    tree.is_done(id) && (!is_lit || is_followed())
 }
 
 /// What a ray met.
@@ -82,6 +107,7 @@ fn met(session: &Session, node: &Node) -> String {
         Some(Outcome::Blocked(hit)) => format!("{to}blocked by {}", object(hit.primitive)),
         Some(Outcome::Lit) => format!("{to}lit"),
         Some(Outcome::Miss) => format!("{to}background"),
+        None if !session.trace.is_whole() => format!("{to}{UNKNOWN}"),
         None => format!("{to}not finished"),
     }
 }
@@ -94,21 +120,32 @@ fn light_samples(session: &Session, row: TreeRow) -> RowText {
     };
     let bundle = view.light_estimate(row.node, *light);
     let name = view.light_name(*light);
+    if !view.trace.is_whole() && !tree.is_done(row.node) {
+        return RowText {
+            kind: Some(RayKind::Light),
+            name: format!(" {samples} to {name}: {UNKNOWN}"),
+            columns: format!(" {UNKNOWN:>6} % "),
+            ..RowText::default()
+        };
+    }
     let pixel = view.trace.pixel.color.luminance();
     let weight = tree.sample_of_node(row.node).map_or(1.0, |s| s.weight);
     let brought = tree.node(row.node).throughput * bundle.mean * weight;
-    let share = if pixel > 0.0 {
-        brought.luminance() / pixel * 100.0
-    } else {
-        0.0
-    };
+    let share = share(
+        session,
+        if pixel > 0.0 {
+            brought.luminance() / pixel
+        } else {
+            0.0
+        },
+    );
     RowText {
         kind: Some(RayKind::Light),
         name: format!(
             " {samples} to {name}: {} lit, {} blocked",
             bundle.lit, bundle.blocked
         ),
-        columns: format!(" {share:>6.1} % "),
+        columns: format!(" {share:>6} % "),
         color: Some(bundle.mean * session.settings.image.exposure),
         ..RowText::default()
     }

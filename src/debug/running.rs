@@ -18,12 +18,19 @@ pub struct RunningSum {
     pub throughput: Rgb,
 }
 
-/// The sum at the cursor; none between the samples, for L rays, which bring nothing back, and behind very many events.
+/// The sum at the cursor; none between the samples, for L rays, which bring nothing back, of a ray whose end is behind a question, and
+/// behind very many events.
 pub fn running_sum(session: &Session) -> Option<RunningSum> {
-    let (tree, here) = (session.tree(), session.cursor().position());
-    let id = session.node()?;
+    running_sum_at(session, session.cursor().position())
+}
+
+/// The sum at an event, of the ray that it belongs to.
+pub fn running_sum_at(session: &Session, here: usize) -> Option<RunningSum> {
+    let tree = session.tree();
+    let id = tree.node_of_event(here)?;
     let node = tree.node(id);
-    if node.ray.kind == RayKind::Light {
+    // Before a question the sum may be its answer.
+    if node.ray.kind == RayKind::Light || !session.trace.is_whole() && !tree.is_done(id) {
         return None;
     }
     let (mut sum, mut added) = (Rgb::BLACK, 0);

@@ -1,6 +1,7 @@
 //! Samples of a pixel as a table: where on the film each is, what it brings, what of that is the pixel.
 
 use super::session::Session;
+use crate::trace::explain::UNKNOWN;
 use crate::trace::format::{counted, num, rgb};
 
 /// Samples that are listed at most.
@@ -23,6 +24,9 @@ pub fn samples(session: &Session) -> SampleTable {
         let (number, weight) = (sample.index, num(sample.weight));
         let [x, y] = sample.film.map(num);
         let what = match sample.root {
+            Some(root) if !session.trace.is_whole() && !tree.is_done(root) => {
+                format!("at ({x}, {y}): weight {weight} x radiance {UNKNOWN}")
+            }
             Some(root) => {
                 let node = tree.node(root);
                 format!(
@@ -31,6 +35,9 @@ pub fn samples(session: &Session) -> SampleTable {
                     rgb(node.radiance),
                     rgb(node.radiance * sample.weight)
                 )
+            }
+            None if !session.trace.is_whole() => {
+                format!("at ({x}, {y}): weight {weight} x radiance {UNKNOWN}")
             }
             None => format!("at ({x}, {y}), weight {weight}: the log was full"),
         };
@@ -41,6 +48,12 @@ pub fn samples(session: &Session) -> SampleTable {
         0 => String::new(),
         more => format!(", the last {more} of them not listed"),
     };
+    if !session.trace.is_whole() {
+        return SampleTable {
+            head: format!("{count}{more} by now. The pixel: {UNKNOWN}"),
+            lines,
+        };
+    }
     let sum = rgb(session.trace.pixel.color);
     SampleTable {
         head: format!("{count}{more}. Their sum is the pixel: {sum}"),

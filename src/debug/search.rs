@@ -142,13 +142,18 @@ impl Session {
             (next.or(last), next.is_none())
         };
         let Some(found) = found else {
-            return Err("no ray of this tree satisfies it".to_owned());
+            let place = match self.horizon() {
+                Some(_) => "before the question",
+                None => "of this tree",
+            };
+            return Err(format!("no ray {place} satisfies it"));
         };
         let mut told = String::new();
         if tree.nodes.len() <= COUNTED {
             let events: Vec<usize> = all.filter_map(event).collect();
             let number = events.iter().filter(|at| **at <= found).count();
-            told = format!("ray {number} of {} that satisfy it", events.len());
+            let known = self.horizon().map_or("", |_| " before the question");
+            told = format!("ray {number} of {}{known} that satisfy it", events.len());
         }
         if around {
             told += match (found == here, forward) {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::cursor::{Cursor, StepCommand, traversal_end};
 use super::extent;
+use super::horizon::{BEHIND, is_behind};
 use super::landmarks::Landmarks;
 use super::rows::TreeRows;
 use super::step_tree::StepTree;
@@ -22,8 +23,10 @@ pub struct Session {
     pub world: Arc<World>,
     /// As the picture was rendered.
     pub settings: Settings,
-    /// The recording, with the picked pixel.
+    /// The recording, with the picked pixel; before a question is answered only what is known by then.
     pub trace: PixelTrace,
+    /// All of the recording, while only its beginning is known.
+    whole: Option<Box<PixelTrace>>,
     /// TreeRows of the tree.
     pub rows: TreeRows,
     /// A box around all that the drawing of the paths shows.
@@ -52,6 +55,7 @@ impl Session {
             world,
             settings,
             trace,
+            whole: None,
             rows,
             extent: Aabb::EMPTY,
             nodes,
@@ -63,6 +67,38 @@ impl Session {
         session.extent = extent::extent(session.view());
         session.go(Cursor::start());
         session
+    }
+
+    /// Where what is known ends: an index into the whole log; none if all of it is known.
+    pub fn horizon(&self) -> Option<usize> {
+        self.whole.is_some().then(|| self.tree().events.len())
+    }
+
+    /// The whole recording, for whoever asks and checks; no pane draws it.
+    pub fn whole(&self) -> &PixelTrace {
+        self.whole.as_deref().unwrap_or(&self.trace)
+    }
+
+    /// Lets nothing be known of the event at an index of the whole log and of those behind it; of `None`, lets all be known.
+    ///
+    /// What is not known is not there: the tree ends, and the pixel has no colour. So no pane can show it by mistake.
+    pub fn set_horizon(&mut self, horizon: Option<usize>) {
+        let whole = match self.whole.take() {
+            Some(whole) => *whole,
+            None => self.trace.clone(),
+        };
+        match horizon.filter(|end| *end < whole.tree.events.len()) {
+            Some(end) => {
+                self.trace = whole.until(end.max(1));
+                self.whole = Some(Box::new(whole));
+            }
+            None => self.trace = whole,
+        }
+        self.rows = TreeRows::new(&self.trace.tree);
+        self.landmarks = OnceCell::new();
+        self.extent = extent::extent(self.view());
+        (self.steps, self.step_tree) = (0..0, StepTree::default());
+        self.go(Cursor::at(self.tree(), self.cursor.position()));
     }
 
     /// The recording with all that explains it.
@@ -113,6 +149,12 @@ impl Session {
 
     /// Follows a command; an error says why the cursor stays.
     pub fn step(&mut self, command: StepCommand) -> Result<(), String> {
+        if self.whole.is_some() && is_behind(self.cursor, command, self.tree()) {
+            if command == StepCommand::End {
+                self.go(Cursor::end(self.tree()));
+            }
+            return Err(BEHIND.to_owned());
+        }
         if let Some(cursor) = self.cursor.after(command, self.tree()) {
             let stays = cursor == self.cursor;
             self.go(cursor);
@@ -162,12 +204,32 @@ impl Session {
 
     /// Goes to a ray, or to the event that the address names; an error says what is there instead, and the cursor stays.
     pub fn go_to_address(&mut self, address: &Address) -> Result<(), String> {
-        let node = node_at(self.view(), &address.path)?;
+        let node = node_at(self.view(), &address.path).map_err(|told| {
+            if self.may_be_behind(&address.path) {
+                BEHIND.to_owned()
+            } else {
+                told
+            }
+        })?;
         match address.part {
+            Some(AddressPart::Event(event)) if self.horizon().is_some_and(|end| event >= end) => {
+                return Err(BEHIND.to_owned());
+            }
             Some(AddressPart::Event(event)) => self.go_to_event(event),
             _ => self.go(Cursor::at_node(self.tree(), node)),
         }
         Ok(())
+    }
+
+    /// True if a ray that is not there may still be sent: the ray nearest to it that is there is not done.
+    fn may_be_behind(&self, path: &TreePath) -> bool {
+        let mut near = path.clone();
+        while self.whole.is_some() && near.steps.pop().is_some() {
+            if let Ok(node) = node_at(self.view(), &near) {
+                return !self.tree().is_done(node);
+            }
+        }
+        self.whole.is_some()
     }
 
     /// Goes to a ray, or to the nearest of those that lead to it and are there; false if the ray itself is not.

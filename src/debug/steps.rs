@@ -2,6 +2,7 @@
 
 use super::session::Session;
 use crate::probe::{Choice, Event, NONE, RayKind, Verdict, Visit};
+use crate::trace::explain::UNKNOWN;
 use crate::trace::format::{counted, num};
 
 /// What a step came to.
@@ -63,7 +64,11 @@ pub fn totals(session: &Session, width: usize) -> String {
     let (visited, tested) = (tree.visited, tree.tested);
     let shapes = session.world.scene.shapes.len();
     let step = session.step_number(session.cursor().position());
-    let of = steps.len();
+    let of = if is_cut(session) {
+        UNKNOWN.to_owned()
+    } else {
+        steps.len().to_string()
+    };
     let at = |long: bool| match step {
         Some(step) if long => format!(" step {} of {of}", step + 1),
         Some(step) => format!(" {}/{of}", step + 1),
@@ -88,6 +93,11 @@ pub fn totals(session: &Session, width: usize) -> String {
     ];
     let fits = |way: &&String| way.chars().count() <= width;
     ways.iter().find(fits).unwrap_or(&ways[4]).clone()
+}
+
+/// True if a question stands before the end of the steps.
+pub fn is_cut(session: &Session) -> bool {
+    session.horizon() == Some(session.steps().end)
 }
 
 /// A node: what is done and why not more, then where it is split and which part of the ray is inside.

@@ -2,7 +2,7 @@
 
 use super::crossings::crossings;
 use super::session::Session;
-use super::steps::short;
+use super::steps::{is_cut, short};
 use crate::math::{Interval, Ray};
 use crate::probe::{Event, RayKind};
 
@@ -89,7 +89,8 @@ impl TAxis {
                 _ => {}
             }
         }
-        marks.extend(tree.found().map(|t| (t, AxisMarkKind::Found)));
+        let found = tree.found().filter(|_| !is_cut(session));
+        marks.extend(found.map(|t| (t, AxisMarkKind::Found)));
         let mut marks: Vec<AxisMark> = marks
             .into_iter()
             .filter(|(t, _)| t.is_finite())
@@ -100,7 +101,7 @@ impl TAxis {
         let bounds = session.world.accel.bounds().unwrap_or(session.extent);
         let inside = bounds.clip(&ray, Interval::before(sent.t_max));
         let light = (sent.kind == RayKind::Light).then_some(sent.t_max);
-        let ends = ends(inside, tree.found(), light, &marks)?;
+        let ends = ends(inside, found, light, &marks)?;
         Some(Self {
             ends,
             bar,

@@ -1,6 +1,7 @@
 //! The debugger without a screen, on recorded pixels.
 
 mod accelerators;
+mod horizon;
 
 use std::sync::{Arc, Mutex};
 

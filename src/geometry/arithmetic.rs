@@ -4,9 +4,12 @@
 //! and never without a note that says so.
 
 pub mod flat;
+pub mod quartic;
 pub mod real;
 pub mod sphere;
 pub mod triangle;
+
+pub use quartic::QuarticMethod;
 
 use std::fmt;
 use std::str::FromStr;
@@ -65,8 +68,10 @@ pub struct Arithmetic {
     pub triangle: TriangleTest,
     /// Where rays start that leave a surface.
     pub offset: Offset,
-    /// How spheres are tested.
+    /// How spheres, cylinders and other surfaces of the second degree are tested.
     pub quadratic: Quadratic,
+    /// How tori and other surfaces of the fourth degree are tested.
+    pub quartic: QuarticMethod,
     /// In which precision.
     pub precision: Precision,
 }
@@ -77,6 +82,7 @@ impl Arithmetic {
         triangle: TriangleTest::Watertight,
         offset: Offset::Bounded,
         quadratic: Quadratic::Stable,
+        quartic: QuarticMethod::Polished,
         precision: Precision::Double,
     };
 }
@@ -178,8 +184,12 @@ impl Arithmetic {
             add("offset", self.offset.to_string(), note);
         }
         if self.quadratic != ours.quadratic {
-            let note = "small spheres far away and large ones nearby are hit in the wrong places";
+            let note = "small spheres and the like far away, and large ones nearby, are hit in the wrong places";
             add("quadratic", self.quadratic.name().to_owned(), note);
+        }
+        if self.quartic != ours.quartic {
+            let note = "a torus far away, or seen at its edge, is hit in the wrong places";
+            add("quartic", self.quartic.name().to_owned(), note);
         }
         if self.precision != ours.precision {
             let note = "shapes are tested with 7 digits instead of 16";
@@ -219,10 +229,12 @@ mod tests {
             triangle: TriangleTest::PlaneEdges,
             offset: Offset::None,
             quadratic: Quadratic::Naive,
+            quartic: QuarticMethod::Plain,
             precision: Precision::Single,
         };
         let told = naive.deviations();
         let choices: Vec<_> = told.iter().map(|d| d.choice).collect();
-        assert_eq!(choices, ["triangle", "offset", "quadratic", "precision"]);
+        let all = ["triangle", "offset", "quadratic", "quartic", "precision"];
+        assert_eq!(choices, all);
     }
 }

@@ -20,7 +20,7 @@ struct Slab {
 
 impl Cuboid {
     /// The first crossing inside the interval.
-    #[inline]
+    #[inline(always)]
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
         match self.span(ray) {
             Some([enter, exit]) => Intersection::first_of(enter, exit, interval),
@@ -30,7 +30,7 @@ impl Cuboid {
 
     /// The two crossings of the ray's line: it is in the box while it is in all three slabs, so it enters with the last
     /// slab and leaves with the first. `None` if it misses. Source: Kay and Kajiya 1986.
-    #[inline]
+    #[inline(always)]
     pub fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
         let slabs = [0, 1, 2].map(|axis| self.slab(ray, axis));
         let enter = slabs[0].near.max(slabs[1].near).max(slabs[2].near);
@@ -39,6 +39,7 @@ impl Cuboid {
     }
 
     /// The slab of one axis. A ray along it is inside for ever or never; the division would give 0/0 on its face.
+    #[inline(always)]
     fn slab(&self, ray: &Ray, axis: usize) -> Slab {
         let (o, d) = (ray.origin[axis], ray.direction[axis]);
         let (min, max) = (self.bounds.min[axis], self.bounds.max[axis]);

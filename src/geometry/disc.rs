@@ -32,6 +32,7 @@ impl Disc {
 
     /// The crossing t = n.(c - o) / (n.direction) with its plane, if that is within the radius. What is rounded acts as
     /// if the disc had been moved along its normal by a few u of the numbers in the numerator.
+    #[inline(never)]
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
         let (n, to_center) = (self.frame.w, self.center - ray.origin);
         let t = n.dot(to_center) / n.dot(ray.direction);

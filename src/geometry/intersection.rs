@@ -9,8 +9,10 @@ pub enum Intersection {
     Hit {
         /// The ray parameter.
         t: f64,
-        /// For triangles the weights of the three corners, which sum to 1; zeros for other shapes.
-        barycentric: [f64; 3],
+        /// What the shape needs to find the point again: see [`Hit::place`].
+        place: [f64; 3],
+        /// The part of the shape that is met: see [`Hit::part`].
+        part: u32,
     },
     /// The ray's line crosses the shape, but at or before the start of the interval.
     Behind(f64),
@@ -22,9 +24,10 @@ pub enum Intersection {
 
 impl Intersection {
     /// A crossing at `t`, which lies before, inside or behind the interval. NaN is a miss.
-    pub fn classify(t: f64, barycentric: [f64; 3], interval: Interval) -> Self {
+    pub fn classify(t: f64, place: [f64; 3], interval: Interval) -> Self {
         if interval.contains(t) {
-            Self::Hit { t, barycentric }
+            let part = 0;
+            Self::Hit { t, place, part }
         } else if t <= interval.min {
             Self::Behind(t)
         } else if t >= interval.max {
@@ -50,9 +53,16 @@ pub struct Hit {
     pub t: f64,
     /// Index into the scene's primitives.
     pub primitive: u32,
-    /// Weights of a triangle's corners; zeros for other shapes.
-    pub barycentric: [f64; 3],
+    /// The part of the shape that is met, counted from 0: the wall or a cap of a cylinder, the leaf of a solid that is cut from
+    /// others. 0 for shapes of one part.
+    pub part: u32,
+    /// What the shape needs to find the point again: the weights of a triangle's corners, which sum to 1; u and v of a patch;
+    /// zeros for other shapes.
+    pub place: [f64; 3],
 }
+
+// There is one in every event of a hit.
+const _: () = assert!(size_of::<Hit>() == 40);
 
 /// A point on a surface, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]

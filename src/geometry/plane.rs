@@ -35,6 +35,7 @@ impl Plane {
     }
 
     /// The crossing t = (d - n.o) / (n.direction); a ray along the plane misses it, even inside it.
+    #[inline(always)]
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
         let n = self.normal();
         let t = (self.d - n.dot(ray.origin)) / n.dot(ray.direction);

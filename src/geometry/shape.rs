@@ -1,13 +1,18 @@
 //! The shapes of a scene: the closed set of what a ray can hit.
 
+mod body;
+mod csg;
 mod naive;
 mod transformed;
 
+pub use body::Body;
+pub use csg::{Csg, CsgCut, CsgCuts, CsgNode, CsgOp, CsgTree, HalfSpace, Polyhedron, Solid};
 pub use naive::Naive;
 pub use transformed::Transformed;
 
 use super::{
-    Aabb, Arithmetic, Cuboid, Disc, Intersection, Plane, Shear, Sphere, SurfacePoint, Triangle,
+    Aabb, Arithmetic, Cuboid, Disc, Intersection, Plane, Polygon, Shear, Span, Spans, Sphere,
+    SurfacePatch, SurfacePoint, Triangle,
 };
 use crate::math::{Interval, Ray};
 
@@ -25,7 +30,13 @@ pub enum Shape {
     Cuboid(Cuboid),
     /// A disc.
     Disc(Box<Disc>),
-    /// A sphere, box or disc that was turned or stretched: tested in its own space.
+    /// A flat polygon.
+    Polygon(Box<Polygon>),
+    /// A leaf of a parametric surface.
+    Patch(Box<SurfacePatch>),
+    /// A solid with parts, or the open wall of one.
+    Body(Box<Body>),
+    /// A sphere, box, disc or body that was turned or stretched: tested in its own space.
     Transformed(Box<Transformed>),
     /// Any of these, tested with other arithmetic: only where a user asked to see it.
     Naive(Box<Naive>),
@@ -39,6 +50,13 @@ fn enters_solid([enter, exit]: [f64; 2], t: f64) -> Option<bool> {
     (enter < exit).then_some(t < exit)
 }
 
+/// The spans of a convex solid, from the two t at which it is crossed.
+fn between(crossings: Option<[f64; 2]>) -> Spans {
+    let span = crossings.filter(|[enter, leave]| enter < leave);
+    span.map(|[enter, leave]| Span::between(enter, leave))
+        .into()
+}
+
 impl Shape {
     /// Where `ray` first crosses the shape inside `interval`. `shear` is [`Shear::new`] of the same ray.
     #[inline]
@@ -49,6 +67,9 @@ impl Shape {
             Self::Plane(plane) => plane.intersect(ray, interval),
             Self::Cuboid(cuboid) => cuboid.intersect(ray, interval),
             Self::Disc(disc) => disc.intersect(ray, interval),
+            Self::Polygon(polygon) => polygon.intersect(ray, shear, interval),
+            Self::Patch(patch) => patch.intersect(shear, interval),
+            Self::Body(body) => body.intersect(ray, interval),
             Self::Transformed(transformed) => transformed.intersect(ray, interval),
             Self::Naive(naive) => naive.intersect(ray, shear, interval),
         }
@@ -64,14 +85,36 @@ impl Shape {
             Self::Cuboid(cuboid) => enters_solid(cuboid.span(ray)?, t),
             Self::Plane(plane) => Some(plane.normal().dot(ray.direction) < 0.0),
             Self::Disc(disc) => Some(disc.frame.w.dot(ray.direction) < 0.0),
+            Self::Polygon(polygon) => Some(polygon.is_met_in_front(shear)),
+            Self::Patch(patch) => {
+                let crossings = patch.crossings(shear);
+                crossings.iter().find(|c| c.t == t).map(|c| c.enters)
+            }
+            Self::Body(body) => body.enters(ray, t),
             Self::Transformed(transformed) => transformed.enters(ray, t),
             Self::Naive(naive) if naive.arithmetic == Arithmetic::default() => {
                 naive.shape.enters(ray, shear, t)
             }
             Self::Naive(naive) => {
-                let normal = naive.surface(ray, t, [1.0, 0.0, 0.0]).normal;
+                let normal = naive.surface(ray, t, [1.0, 0.0, 0.0], 0).normal;
                 Some(normal.dot(ray.direction) < 0.0)
             }
+        }
+    }
+
+    /// The spans of the ray's line inside a solid; `None` if the shape is no solid.
+    pub fn spans(&self, ray: &Ray) -> Option<Spans> {
+        match self {
+            Self::Sphere(sphere) => Some(between(sphere.span(ray))),
+            Self::Cuboid(cuboid) => Some(between(cuboid.span(ray))),
+            Self::Body(body) => body.is_solid().then(|| body.spans(ray)),
+            Self::Triangle(_)
+            | Self::Plane(_)
+            | Self::Disc(_)
+            | Self::Polygon(_)
+            | Self::Patch(_) => None,
+            Self::Transformed(moved) => moved.shape.spans(&moved.transform.ray_to_object(ray)),
+            Self::Naive(naive) => naive.shape.spans(ray),
         }
     }
 
@@ -79,9 +122,29 @@ impl Shape {
     pub fn is_solid(&self) -> bool {
         match self {
             Self::Sphere(_) | Self::Cuboid(_) => true,
-            Self::Triangle(_) | Self::Plane(_) | Self::Disc(_) => false,
+            Self::Body(body) => body.is_solid(),
+            Self::Triangle(_)
+            | Self::Plane(_)
+            | Self::Disc(_)
+            | Self::Polygon(_)
+            | Self::Patch(_) => false,
             Self::Transformed(transformed) => transformed.shape.is_solid(),
             Self::Naive(naive) => naive.shape.is_solid(),
+        }
+    }
+
+    /// True if a line may cross the shape more than once.
+    pub fn is_crossed_often(&self) -> bool {
+        self.is_solid() || matches!(self.plain(), Self::Patch(_))
+    }
+
+    /// True for a solid that every line crosses twice at most.
+    pub fn is_convex(&self) -> bool {
+        match self {
+            Self::Body(_) => false,
+            Self::Transformed(transformed) => transformed.shape.is_convex(),
+            Self::Naive(naive) => naive.shape.is_convex(),
+            other => other.is_solid(),
         }
     }
 
@@ -90,22 +153,39 @@ impl Shape {
         match self {
             Self::Sphere(sphere) => sphere.volume(),
             Self::Cuboid(cuboid) => cuboid.bounds.size().element_product(),
-            Self::Triangle(_) | Self::Plane(_) | Self::Disc(_) => 0.0,
+            Self::Body(body) => body.volume(),
+            Self::Triangle(_)
+            | Self::Plane(_)
+            | Self::Disc(_)
+            | Self::Polygon(_)
+            | Self::Patch(_) => 0.0,
             Self::Transformed(moved) => moved.shape.volume() * moved.transform.volume_ratio(),
             Self::Naive(naive) => naive.shape.volume(),
         }
     }
 
     /// The point at which `ray` crosses the shape, as found by [`Shape::intersect`].
-    pub fn surface(&self, ray: &Ray, t: f64, barycentric: [f64; 3]) -> SurfacePoint {
+    pub fn surface(&self, ray: &Ray, t: f64, place: [f64; 3], part: u32) -> SurfacePoint {
         match self {
-            Self::Triangle(triangle) => triangle.surface(barycentric),
+            Self::Triangle(triangle) => triangle.surface(place),
             Self::Sphere(sphere) => sphere.surface(ray, t),
             Self::Plane(plane) => plane.surface(ray, t),
             Self::Cuboid(cuboid) => cuboid.surface(ray, t),
             Self::Disc(disc) => disc.surface(ray, t),
-            Self::Transformed(transformed) => transformed.surface(ray, t, barycentric),
-            Self::Naive(naive) => naive.surface(ray, t, barycentric),
+            Self::Polygon(polygon) => polygon.surface(ray, t),
+            Self::Patch(patch) => patch.surface([place[0], place[1]]),
+            Self::Body(body) => body.surface(ray, t, part),
+            Self::Transformed(transformed) => transformed.surface(ray, t, place, part),
+            Self::Naive(naive) => naive.surface(ray, t, place, part),
+        }
+    }
+
+    /// The point, its error and its normal as [`Shape::surface`] gives them, without u and v where those take time.
+    pub fn bare_surface(&self, ray: &Ray, t: f64, part: u32) -> SurfacePoint {
+        match self {
+            Self::Sphere(sphere) => sphere.bare_surface(ray, t),
+            Self::Transformed(transformed) => transformed.bare_surface(ray, t, part),
+            other => other.surface(ray, t, [0.0; 3], part),
         }
     }
 
@@ -117,6 +197,9 @@ impl Shape {
             Self::Plane(_) => None,
             Self::Cuboid(cuboid) => Some(cuboid.bounds),
             Self::Disc(disc) => Some(disc.bounds()),
+            Self::Polygon(polygon) => Some(polygon.bounds()),
+            Self::Patch(patch) => Some(patch.bounds()),
+            Self::Body(body) => Some(body.bounds()),
             Self::Transformed(transformed) => transformed.bounds(),
             Self::Naive(naive) => naive.bounds(),
         }
@@ -125,8 +208,12 @@ impl Shape {
     /// True if the shape lies in a plane and is tested in world space: a ray that leaves it cannot meet it again.
     pub fn is_flat(&self) -> bool {
         match self {
-            Self::Triangle(_) | Self::Plane(_) | Self::Disc(_) => true,
-            Self::Sphere(_) | Self::Cuboid(_) | Self::Transformed(_) => false,
+            Self::Triangle(_) | Self::Plane(_) | Self::Disc(_) | Self::Polygon(_) => true,
+            Self::Sphere(_)
+            | Self::Cuboid(_)
+            | Self::Body(_)
+            | Self::Patch(_)
+            | Self::Transformed(_) => false,
             Self::Naive(naive) => naive.shape.is_flat(),
         }
     }
@@ -139,6 +226,9 @@ impl Shape {
             Self::Plane(_) => "plane",
             Self::Cuboid(_) => "box",
             Self::Disc(_) => "disc",
+            Self::Polygon(_) => "polygon",
+            Self::Patch(_) => "patch",
+            Self::Body(body) => body.kind(),
             Self::Transformed(transformed) => transformed.shape.kind(),
             Self::Naive(naive) => naive.shape.kind(),
         }

@@ -19,7 +19,7 @@ pub struct Sphere {
 
 impl Sphere {
     /// The first crossing inside the interval.
-    #[inline]
+    #[inline(always)]
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
         match self.span(ray) {
             Some([t0, t1]) => Intersection::first_of(t0, t1, interval),
@@ -38,7 +38,7 @@ impl Sphere {
     /// formula subtracts nearly equal numbers twice: in b^2 - a c when the sphere is small and far, and in b - root
     /// when the origin is near the surface. Both are avoided here.
     /// Source: Haines, Guenther and Akenine-Moeller 2019, "Precision improvements for ray/sphere intersection".
-    #[inline]
+    #[inline(always)]
     pub fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
         let f = ray.origin - self.center;
         let a = ray.direction.length_squared();
@@ -57,9 +57,24 @@ impl Sphere {
         Some([t0.min(t1), t0.max(t1)])
     }
 
-    /// The point at `t`, pulled back onto the sphere. It is then within gamma_5 of its distance from the centre (PBR
-    /// 4th edition, section 6.8.4); the rest of the bound is what the next test of the same sphere may round.
+    /// The point at `t`, with its u and v.
     pub fn surface(&self, ray: &Ray, t: f64) -> SurfacePoint {
+        let bare = self.bare_surface(ray, t);
+        let normal = bare.normal;
+        SurfacePoint {
+            uv: DVec2::new(
+                libm::atan2(-normal.z, normal.x) / TAU + 0.5,
+                libm::acos((-normal.y).clamp(-1.0, 1.0)) / PI,
+            ),
+            ..bare
+        }
+    }
+
+    /// The point at `t` without u and v, which cost more than all the rest: pulled back onto the sphere. It is then within
+    /// gamma_5 of its distance from the centre (PBR 4th edition, section 6.8.4); the rest of the bound is what the next test of
+    /// the same sphere may round.
+    #[inline]
+    pub fn bare_surface(&self, ray: &Ray, t: f64) -> SurfacePoint {
         let normal = (ray.at(t) - self.center).normalize_or(DVec3::Y);
         let local = normal * self.radius;
         let point = self.center + local;
@@ -67,10 +82,7 @@ impl Sphere {
             point,
             error: DVec3::splat(gamma(16) * self.radius) + gamma(4) * self.center.abs(),
             normal,
-            uv: DVec2::new(
-                libm::atan2(-normal.z, normal.x) / TAU + 0.5,
-                libm::acos((-normal.y).clamp(-1.0, 1.0)) / PI,
-            ),
+            uv: DVec2::ZERO,
         }
     }
 

@@ -3,6 +3,7 @@
 //! Source: Woop, Benthin and Wald 2013, "Watertight ray/triangle intersection", JCGT 2(1); with exact signs and a tie
 //! rule, so that a ray through an edge or a corner crosses a closed mesh an odd number of times.
 
+use super::edge::edge;
 use super::{Aabb, Intersection, SurfacePoint};
 use crate::math::rounding::gamma;
 use crate::math::{DVec2, DVec3, Interval, Ray};
@@ -61,7 +62,7 @@ impl Shear {
 
     /// A point in the ray's view; z is its ray parameter.
     #[inline]
-    fn view(&self, p: DVec3) -> DVec3 {
+    pub(super) fn view(&self, p: DVec3) -> DVec3 {
         let p = (p - self.origin).to_array();
         let [x, y, z] = self.axes;
         let (x, y, z) = (p[x], p[y], p[z]);
@@ -165,29 +166,6 @@ impl Triangle {
     }
 }
 
-/// On which side of the edge p -> q the ray (the origin of the view) passes: the edge function q x p = qx py - qy px,
-/// and whether it is positive, decided exactly.
-///
-/// The neighbour across the edge asks for q -> p and gets the negative of the function and the opposite side, so
-/// that the ray is inside exactly one of the two.
-#[inline]
-fn edge(p: DVec3, q: DVec3) -> (f64, bool) {
-    let (m, n) = (q.x * p.y, q.y * p.x);
-    let value = m - n;
-    // Rounding keeps order: if the rounded products differ, their difference has the right sign.
-    if value != 0.0 {
-        return (value, value > 0.0);
-    }
-    // Equal after rounding: compare what was rounded away. (`mul_add` rounds once, so these remainders are exact.)
-    let rest = q.x.mul_add(p.y, -m) - q.y.mul_add(p.x, -n);
-    if rest != 0.0 {
-        return (rest, rest > 0.0);
-    }
-    // The ray meets the edge exactly. Move it, in thought, by an endlessly small step aside: the side then depends
-    // on the edge's direction alone.
-    (0.0, (q.x, q.y) > (p.x, p.y))
-}
-
 /// If the areas add up to less than this part of the products that they are differences of, too many bits are gone.
 pub const CANCELLED: f64 = 1.0 / 64.0;
 
@@ -225,8 +203,11 @@ mod tests {
     #[test]
     fn t_and_weights_are_those_known_on_paper() {
         let t = triangle([0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]);
-        let Intersection::Hit { t, barycentric } =
-            test(&t, DVec3::new(1.0, 2.0, 5.0), DVec3::NEG_Z)
+        let Intersection::Hit {
+            t,
+            place: barycentric,
+            ..
+        } = test(&t, DVec3::new(1.0, 2.0, 5.0), DVec3::NEG_Z)
         else {
             panic!("inside");
         };
@@ -284,8 +265,11 @@ mod tests {
             let direction = DVec3::new(random(), random(), -1.0).normalize();
             let ray = Ray::new(target - 3.0 * direction, direction);
             let shear = Shear::new(&ray);
-            if let Intersection::Hit { t, barycentric } =
-                sliver.intersect(&shear, Interval::FORWARD)
+            if let Intersection::Hit {
+                t,
+                place: barycentric,
+                ..
+            } = sliver.intersect(&shear, Interval::FORWARD)
             {
                 met += 1;
                 let off = (sliver.surface(barycentric).point - ray.at(t)).length();

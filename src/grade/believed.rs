@@ -175,7 +175,7 @@ pub fn believed_hit(
     for (primitive, shape) in (first..).zip(scene.shapes_of(object)) {
         // Both crossings of a solid, those behind the origin included.
         let mut from = f64::NEG_INFINITY;
-        while let Intersection::Hit { t, barycentric } =
+        while let Intersection::Hit { t, place, part } =
             shape.intersect(ray, &shear, Interval::new(from, f64::INFINITY))
         {
             let nearer = |hit: &Hit| (t - wanted).abs() < (hit.t - wanted).abs();
@@ -183,7 +183,8 @@ pub fn believed_hit(
                 best = Some(Hit {
                     t,
                     primitive,
-                    barycentric,
+                    part,
+                    place,
                 });
             }
             from = t;

@@ -166,6 +166,9 @@ impl<'a> Walk<'a> {
         }
         let hit = believed_hit(world, believed, (&ray, length), traced.map(|(hit, _)| hit))?;
         let computed = self.laws.interaction(&world.scene, &ray, &hit);
+        let computed = *world
+            .scene
+            .shaded((&hit, &computed), settings.effects, &mut None);
         facts.push((FactName::Point, vector(computed.point)));
         facts.push((FactName::GeometricNormal, vector(computed.geometric_normal)));
         facts.push((FactName::Normal, vector(computed.normal)));

@@ -8,7 +8,7 @@ mod html;
 mod json;
 mod junit;
 mod merge;
-mod text;
+pub mod text;
 mod unknown;
 
 use super::diff::Cause;

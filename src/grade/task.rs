@@ -11,7 +11,7 @@ mod steady;
 
 pub use ask::{Ask, Asked};
 pub use error::TaskError;
-pub use load::{Check, CheckKind, Task};
+pub use load::{Check, CheckKind, SceneReader, Task};
 pub use pictures::BentPictures;
 pub use scene::{TaskScene, reference};
 pub use steady::usual;

@@ -4,7 +4,7 @@
 //! others are not. So all steps of these test shape after shape, ours as well, and differ in the arithmetic alone.
 
 use super::parameter::{Parameter, swept};
-use crate::geometry::{Arithmetic, Naive, Shape};
+use crate::geometry::{Arithmetic, Body, Naive, Shape};
 use crate::scene::settings::knobs::knob;
 use crate::scene::{Scene, Settings};
 
@@ -20,11 +20,24 @@ pub fn parameters(shapes: &[Shape], base: &Settings, leaves: bool) -> Vec<Parame
     let choices = [
         ("triangle", any(|shape| matches!(shape, Shape::Triangle(_)))),
         ("offset", leaves),
-        ("quadratic", any(|shape| matches!(shape, Shape::Sphere(_)))),
+        ("quadratic", any(is_of_second_degree)),
+        ("quartic", any(is_of_fourth_degree)),
         ("precision", true),
     ];
     let used = choices.into_iter().filter(|(_, used)| *used);
     used.map(|(flag, _)| parameter(flag, base)).collect()
+}
+
+fn is_of_second_degree(shape: &Shape) -> bool {
+    match shape {
+        Shape::Sphere(_) => true,
+        Shape::Body(body) => matches!(**body, Body::Quadric(_) | Body::BoxedQuadric(_)),
+        _ => false,
+    }
+}
+
+fn is_of_fourth_degree(shape: &Shape) -> bool {
+    matches!(shape, Shape::Body(body) if matches!(**body, Body::Torus(_) | Body::Quartic(_)))
 }
 
 /// A shape before it was turned or stretched.

@@ -2,12 +2,17 @@
 
 use rayon::prelude::*;
 
-use crate::math::Rgb;
+use crate::math::{DVec3, Rgb};
 use crate::probe::{RayKind, Silent};
 use crate::scene::Settings;
+use crate::shading::ShadingPoint;
 use crate::trace::{Counts, trace_pixel_here};
+use crate::tracer::laws::{Bent, Laws as _};
 use crate::tracer::{pixel, thread_pool};
 use crate::world::World;
+
+/// What [`ShowMode::Hit`] shows where Kd is black, in all channels.
+const GREY: f64 = 0.5;
 
 /// What is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum, strum::VariantArray)]
@@ -28,6 +33,10 @@ pub enum ShowMode {
     Normal,
     /// Object where the eye ray ends, each in a colour of its own
     Object,
+    /// Kd where the eye ray ends, grey where it is black; no lights
+    Hit,
+    /// Direction of the eye ray: x, y and z from -1 to 1 as red, green and blue
+    Direction,
 }
 
 /// What a pixel shows.
@@ -53,6 +62,8 @@ impl ShowMode {
             Self::Error => "standard error",
             Self::Normal => "normal",
             Self::Object => "object",
+            Self::Hit => "Kd",
+            Self::Direction => "direction",
         }
     }
 
@@ -84,27 +95,42 @@ impl ShowMode {
                     ShownValue::Nothing
                 }
             }
-            Self::T | Self::Normal | Self::Object => self.of_eye_ray(world, settings, at),
+            Self::T | Self::Normal | Self::Object | Self::Hit | Self::Direction => {
+                self.of_eye_ray(world, settings, at)
+            }
         }
     }
 
     /// Shows what the eye ray through the middle of a pixel meets.
     fn of_eye_ray(self, world: &World, settings: &Settings, (x, y): (u32, u32)) -> ShownValue {
         let middle = [f64::from(x) + 0.5, f64::from(y) + 0.5];
-        let ray = world.scene.camera.ray(middle, settings.size());
-        let Some(hit) = world.closest(&ray, 0.0, &mut Silent) else {
-            return ShownValue::Nothing;
+        let (scene, effects, laws) = (&world.scene, settings.effects, Bent(settings.bends));
+        let ray = laws.eye_ray(&scene.camera, middle, settings.size());
+        if self == Self::Direction {
+            return as_color(ray.direction);
+        }
+        let Some((hit, at)) = laws.closest_point(world, &ray, &mut Silent) else {
+            return match self {
+                Self::Hit => ShownValue::Color(scene.background),
+                _ => ShownValue::Nothing,
+            };
         };
         match self {
             Self::T => ShownValue::Number(hit.t),
-            Self::Normal => {
-                let normal = world.scene.interaction(&ray, &hit).normal;
-                let channels = (normal * 0.5 + 0.5).to_array();
-                ShownValue::Color(Rgb::from_srgb(channels))
+            Self::Normal => as_color(scene.shaded((&hit, &at), effects, &mut None).normal),
+            Self::Hit => {
+                let material = scene.material_at(&hit);
+                let kd = ShadingPoint::new(&at, material, effects).diffuse_color();
+                ShownValue::Color(if kd.is_black() { Rgb::grey(GREY) } else { kd })
             }
             _ => ShownValue::Color(object_color(world.scene.owners[hit.primitive as usize])),
         }
     }
+}
+
+/// A vector as a colour: x, y and z from -1 to 1 as red, green and blue.
+fn as_color(vector: DVec3) -> ShownValue {
+    ShownValue::Color(Rgb::from_srgb((vector * 0.5 + 0.5).to_array()))
 }
 
 /// A colour for the object of a number: hues by the golden angle, so that neighbours differ.

@@ -11,8 +11,10 @@ mod optics;
 mod picture;
 mod pinhole;
 mod polygons;
+mod solids;
 mod spheres;
 mod surfaces;
+pub mod table;
 
 pub use picture::{Panel, Picture};
 
@@ -58,7 +60,7 @@ impl Outcome {
 }
 
 /// All cases.
-pub const CASES: [Case; 9] = [
+pub const CASES: [Case; 11] = [
     surfaces::SELF_HITS,
     surfaces::PLATE_GAP,
     meshes::SHARED_EDGES,
@@ -67,6 +69,8 @@ pub const CASES: [Case; 9] = [
     coplanar::COPLANAR_TWINS,
     spheres::FAR_SPHERE,
     spheres::NEAR_SPHERE,
+    solids::FAR_CYLINDER,
+    solids::FAR_TORUS,
     optics::CRITICAL_ANGLE,
 ];
 

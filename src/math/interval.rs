@@ -16,6 +16,12 @@ impl Interval {
         max: f64::INFINITY,
     };
 
+    /// All of a ray's line.
+    pub const LINE: Self = Self {
+        min: f64::NEG_INFINITY,
+        max: f64::INFINITY,
+    };
+
     /// The interval `min < t < max`.
     pub fn new(min: f64, max: f64) -> Self {
         Self { min, max }

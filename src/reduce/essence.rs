@@ -10,7 +10,8 @@ use crate::trace::export::json;
 /// BLAKE3 hash of all that a document tells of a pixel, to the last bit.
 ///
 /// Left out is what tells of the scene as a whole and not of these rays: its name, hash, lights and warnings, the effects that were
-/// left out of it, the accelerator and the way through it, and the numbers of primitives, which are others where some are gone.
+/// left out of it, the accelerator and the way through it, the numbers of primitives, which are others where some are gone, and the
+/// frames of groups, which are not written.
 /// Objects in `names` have the name that is given there.
 pub fn essence(mut document: Document, names: &BTreeMap<String, String>) -> blake3::Hash {
     document.scene = SceneId {
@@ -51,6 +52,7 @@ fn without_numbers<'n>(
     }
     if let Some(hit) = &mut node.hit {
         hit.primitive = 0;
+        hit.frames.clear();
         rename(&mut hit.object);
     }
     if let Some(boundary) = node.boundary.as_mut().filter(|_| !names.is_empty()) {

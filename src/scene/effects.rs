@@ -12,7 +12,7 @@ use crate::shading::{Effect, Effects, Material};
 pub struct Finding {
     /// The effect.
     pub effect: Effect,
-    /// True if it could change a pixel.
+    /// True if it could change a pixel, or the tree of one.
     pub on: bool,
     /// What in the scene calls for it, or what is not there.
     pub reason: String,
@@ -68,16 +68,39 @@ fn called_for(scene: &Scene, effect: Effect) -> Result<String, &'static str> {
             .ok_or("no material has a mirror or a transmission coefficient"),
         Effect::Refraction => user_of(scene, Material::is_transmissive)
             .ok_or("no material has a transmission coefficient"),
+        Effect::Ambient => {
+            if scene.ambient.is_black() {
+                return Err("there is no ambient light");
+            }
+            user_of(scene, |m| m.shows_ambient(scene.ambient))
+                .ok_or("no material reflects the ambient light")
+        }
+        Effect::Diffuse => {
+            if scene.lights.is_empty() {
+                return Err("there are no lights");
+            }
+            // What shows highlights alone has diffuse terms in its tree, though they are 0: trees do not depend on other objects.
+            let other = || {
+                let user = user_of(scene, Material::shows_lights)?;
+                Some(format!("{user} shows lights, though its Kd is 0"))
+            };
+            user_of(scene, Material::is_diffuse)
+                .or_else(other)
+                .ok_or("no material shows lights")
+        }
+        Effect::Smooth => {
+            let smooth = scene.objects.iter().find(|o| o.is_smooth());
+            let object = smooth.ok_or("no mesh has normals at its corners")?;
+            Ok(format!("mesh `{}` has normals at its corners", object.name))
+        }
     }
 }
 
 /// The first object whose material is such, in words.
 fn user_of(scene: &Scene, such: impl Fn(&Material) -> bool) -> Option<String> {
-    let object = scene
-        .objects
-        .iter()
-        .find(|o| such(&scene.materials[o.material as usize]))?;
-    let material = &scene.materials[object.material as usize];
+    let of_object = |object| scene.materials_of(object).map(move |m| (object, m));
+    let mut all = scene.objects.iter().flat_map(of_object);
+    let (object, material) = all.find(|(_, material)| such(material))?;
     let index = if material.is_transmissive() {
         format!(" (index {})", material.ior)
     } else {

@@ -4,6 +4,7 @@
 //! The types are the format: they are written and read by serde, and the JSON Schema is generated from them. What a scene is
 //! made of is in `of_scene.rs`, how it is written in `write.rs` (JSON, one object a line) and `text.rs` (lines of words).
 
+mod body;
 mod light;
 mod object;
 mod of_scene;

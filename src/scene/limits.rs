@@ -17,6 +17,8 @@ pub const MAX_PRIMITIVES: usize = 2_000_000;
 pub const MAX_LIGHTS: usize = 1000;
 /// Groups inside groups.
 pub const MAX_GROUP_DEPTH: usize = 32;
+/// Objects and groups in parts, counted at each use.
+pub const MAX_PLACED: usize = 200_000;
 /// Brackets inside brackets of a JSON file: the limit of its parser, which recurses.
 pub const MAX_NESTING: usize = 127;
 /// Bytes of a name.
@@ -71,24 +73,7 @@ pub fn table() -> Vec<[String; 3]> {
     const COUNTED: &str = "the others are counted";
     let mebibytes = |bytes: u64| format!("{} MiB", bytes >> 20);
     let up_to = |x: f64, unit: &str| format!("{x:e}{unit}");
-    let rows: [(&str, String, &str); 26] = [
-        ("one file", mebibytes(MAX_FILE_BYTES), REFUSED),
-        (
-            "all files of a scene, each as often as it is named",
-            mebibytes(MAX_SCENE_BYTES),
-            REFUSED,
-        ),
-        (
-            "brackets inside brackets of a scene file",
-            MAX_NESTING.to_string(),
-            REFUSED,
-        ),
-        ("groups inside groups", MAX_GROUP_DEPTH.to_string(), REFUSED),
-        (
-            "a name, with those of its groups",
-            format!("{MAX_NAME_BYTES} bytes"),
-            REFUSED,
-        ),
+    let rows: [(&str, String, &str); 21] = [
         (
             "triangles and other shapes",
             MAX_PRIMITIVES.to_string(),
@@ -163,9 +148,43 @@ pub fn table() -> Vec<[String; 3]> {
         ),
         ("warnings of a scene", MAX_WARNINGS.to_string(), COUNTED),
     ];
-    let rows = rows.into_iter().chain(of_changes());
+    let rows = of_files().into_iter().chain(rows).chain(of_changes());
     rows.map(|(what, most, beyond)| [what.to_string(), most, beyond.to_string()])
         .collect()
+}
+
+/// The limits of files, and of what is nested in them.
+fn of_files() -> [(&'static str, String, &'static str); 6] {
+    const REFUSED: &str = "refused";
+    let mebibytes = |bytes: u64| format!("{} MiB", bytes >> 20);
+    [
+        ("one file", mebibytes(MAX_FILE_BYTES), REFUSED),
+        (
+            "all files of a scene, each as often as it is named",
+            mebibytes(MAX_SCENE_BYTES),
+            REFUSED,
+        ),
+        (
+            "brackets inside brackets of a scene file",
+            MAX_NESTING.to_string(),
+            REFUSED,
+        ),
+        (
+            "groups and parts inside each other",
+            MAX_GROUP_DEPTH.to_string(),
+            REFUSED,
+        ),
+        (
+            "objects and groups in parts, at each use",
+            MAX_PLACED.to_string(),
+            REFUSED,
+        ),
+        (
+            "a name, with those of its groups",
+            format!("{MAX_NAME_BYTES} bytes"),
+            REFUSED,
+        ),
+    ]
 }
 
 /// The limits of `--patch`, `--change` and the debugger's changes of a scene.

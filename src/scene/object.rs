@@ -18,6 +18,19 @@ pub struct Object {
     pub mirrored: bool,
     /// Normals and texture coordinates at its corners, if it is a mesh that has any.
     pub vertices: Option<VertexData>,
+    /// The leaves of a solid that is cut from others.
+    pub leaves: Vec<Leaf>,
+    /// Index of the frame of the group that it stands in.
+    pub frame: Option<u32>,
+}
+
+/// Leaf of a solid that is cut from others: what a user reads of it.
+#[derive(Clone, Debug)]
+pub struct Leaf {
+    /// Its name, after that of the whole: `whole/part`.
+    pub name: String,
+    /// Index of its material.
+    pub material: u32,
 }
 
 /// Normals and texture coordinates at the corners of a mesh's triangles.
@@ -34,10 +47,15 @@ pub struct VertexData {
 }
 
 impl Object {
-    /// Barycentric coordinates in the order in which the file has the triangle's corners; `None` for shapes without corners.
-    pub fn barycentric(&self, [a, b, c]: [f64; 3]) -> Option<[f64; 3]> {
-        let has_corners = [a, b, c] != [0.0; 3];
-        has_corners.then_some(if self.mirrored { [a, c, b] } else { [a, b, c] })
+    /// Weights of a triangle's corners in the order in which the file has these.
+    pub fn in_order_of_file(&self, [a, b, c]: [f64; 3]) -> [f64; 3] {
+        if self.mirrored { [a, c, b] } else { [a, b, c] }
+    }
+
+    /// True if it is a mesh whose normals are blended between its corners.
+    pub fn is_smooth(&self) -> bool {
+        let vertices = self.vertices.as_ref();
+        vertices.is_some_and(|data| !data.normal_indices.is_empty())
     }
 }
 

@@ -31,6 +31,7 @@ pub fn part(scene: &Scene, kept: &Kept) -> ScenePart {
             materials: scene.materials.clone(),
             lights: lights.map(|i| scene.lights[*i as usize].clone()).collect(),
             objects: Vec::new(),
+            frames: scene.frames.clone(),
             shapes: Vec::with_capacity(kept.shapes.len()),
             owners: Vec::with_capacity(kept.shapes.len()),
             settings: scene.settings,
@@ -86,6 +87,8 @@ impl ScenePart {
             first_primitive: part.shapes.len() as u32,
             mirrored: object.mirrored,
             vertices: object.vertices.as_ref().map(|data| corners(data, &local)),
+            leaves: object.leaves.clone(),
+            frame: object.frame,
         });
         let number = part.objects.len() as u32 - 1;
         for &shape in shapes {

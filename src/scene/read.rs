@@ -3,6 +3,7 @@
 //! [`mod@file`] is what stands in the JSON, [`resolve`] makes a scene of it. What passes here cannot make the tracer panic,
 //! and every refusal names the field or line and what to do.
 
+mod cut;
 pub mod did_you_mean;
 pub mod error;
 pub mod file;

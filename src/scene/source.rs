@@ -171,6 +171,35 @@ impl SceneSource {
         Ok((scene, patch))
     }
 
+    /// The text of the scene file, and its JSON with changes if there are any. Of a scene that is no scene file, that of one which
+    /// is written.
+    pub fn file_with(&self, edits: &[Edit]) -> Result<(String, Option<Value>), SceneError> {
+        let (file, _) = self.scene_file()?;
+        let mut full = self.json(&file)?;
+        let text = match &self.from {
+            SceneOrigin::Text(text, _) => text.clone(),
+            _ => full.to_string(),
+        };
+        if edits.is_empty() {
+            return Ok((text, None));
+        }
+        let written = serde_json::from_str(&text);
+        let mut own: Value =
+            written.map_err(|e: serde_json::Error| self.error(Problem::new(e.to_string(), "")))?;
+        for edit in edits {
+            let patch = match edit {
+                Edit::Patch(patch) => Ok(patch.clone()),
+                Edit::Typed(text) => Patch::typed(text, &full),
+            };
+            let changed = patch.and_then(|patch| {
+                patch.apply(&mut full)?;
+                patch.apply(&mut own)
+            });
+            changed.map_err(|problem| self.error(problem))?;
+        }
+        Ok((text, Some(own)))
+    }
+
     /// The scene as a scene file, and the files that it may name. What is no scene file is written as one.
     fn scene_file(&self) -> Result<(SceneFile, Files), SceneError> {
         let too_large = |what: String| {

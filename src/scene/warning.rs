@@ -46,6 +46,14 @@ pub enum WarningCode {
     FewCorners,
     /// Triangles without area, which are left out.
     NoArea,
+    /// A polygon whose corners do not lie in one plane, which is cut into triangles.
+    NotFlat,
+    /// A polygon that crosses itself.
+    CrossesItself,
+    /// A csg of which nothing is left.
+    EmptyCsg,
+    /// A part that nothing uses.
+    UnusedPart,
     /// A file of materials that is not there.
     MissingLibrary,
     /// A material that no file describes.

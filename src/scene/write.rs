@@ -3,14 +3,18 @@
 //! Most numbers stand in a file as they are in the scene. The others (a point to look at, an angle) are those from which the reader
 //! computes what the scene has: they are searched for around the inverse (`inverse.rs`).
 
+mod body;
 mod camera;
+mod csg;
 mod fields;
 mod inverse;
 mod light;
 mod material;
 mod mesh;
 mod object;
+mod patches;
 mod settings;
+mod solid;
 
 use crate::scene::Scene;
 use fields::{Fields, quoted};
@@ -20,6 +24,9 @@ pub fn scene_file(scene: &Scene, note: &str) -> Result<String, String> {
     let mut used = vec![false; scene.materials.len()];
     for object in &scene.objects {
         used[object.material as usize] = true;
+        for leaf in &object.leaves {
+            used[leaf.material as usize] = true;
+        }
     }
     let materials = scene.materials.iter().zip(used);
     let materials: Vec<String> = materials

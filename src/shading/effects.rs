@@ -13,16 +13,25 @@ pub enum Effect {
     Reflection,
     /// T rays.
     Refraction,
+    /// The ambient term.
+    Ambient,
+    /// Diffuse terms of lights.
+    Diffuse,
+    /// Normals that are blended between the corners of a mesh.
+    Smooth,
 }
 
 impl Effect {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 8] = [
         Self::Shadows,
         Self::SoftShadows,
         Self::Highlights,
         Self::Reflection,
         Self::Refraction,
+        Self::Ambient,
+        Self::Diffuse,
+        Self::Smooth,
     ];
 
     /// The name that users write.
@@ -33,6 +42,9 @@ impl Effect {
             Self::Highlights => "highlights",
             Self::Reflection => "reflection",
             Self::Refraction => "refraction",
+            Self::Ambient => "ambient",
+            Self::Diffuse => "diffuse",
+            Self::Smooth => "smooth",
         }
     }
 
@@ -44,13 +56,16 @@ impl Effect {
             Self::Highlights => "no specular terms",
             Self::Reflection => "no R rays",
             Self::Refraction => "no T rays",
+            Self::Ambient => "no ambient terms",
+            Self::Diffuse => "no diffuse terms",
+            Self::Smooth => "flat triangles: N is the geometric normal",
         }
     }
 }
 
 /// A set of effects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effects(u8);
+pub struct Effects(u32);
 
 impl Default for Effects {
     fn default() -> Self {

@@ -63,6 +63,15 @@ impl Interaction {
         }
     }
 
+    /// Arrival at a flat surface: N is the geometric normal.
+    #[must_use]
+    pub fn flat(self) -> Self {
+        Self {
+            normal: self.geometric_normal,
+            ..self
+        }
+    }
+
     /// How far off the computed point the true surface may lie, along its normal.
     pub fn normal_error(&self) -> f64 {
         self.geometric_normal.abs().dot(self.error)

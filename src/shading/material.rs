@@ -83,10 +83,21 @@ impl Material {
         !self.specular.is_black()
     }
 
+    /// True if a part of it has a diffuse coefficient.
+    pub fn is_diffuse(&self) -> bool {
+        let checker = self.checker.as_ref().map_or(Rgb::BLACK, |c| c.diffuse);
+        !(self.diffuse.is_black() && checker.is_black())
+    }
+
+    /// True if a part of it reflects ambient light `ia`.
+    pub fn shows_ambient(&self, ia: Rgb) -> bool {
+        let checker = self.checker.as_ref().map_or(Rgb::BLACK, |c| c.ambient);
+        !((self.ambient * ia).is_black() && (checker * ia).is_black())
+    }
+
     /// True if lights can be seen on it.
     pub fn shows_lights(&self) -> bool {
-        let checker = self.checker.as_ref().map_or(Rgb::BLACK, |c| c.diffuse);
-        self.has_highlights() || !(self.diffuse.is_black() && checker.is_black())
+        self.has_highlights() || self.is_diffuse()
     }
 }
 

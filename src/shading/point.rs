@@ -67,14 +67,39 @@ impl<'a> ShadingPoint<'a> {
     /// Ka Ia, if it is not black. `ia` is the scene's ambient light.
     #[inline]
     pub fn ambient(&self, ia: Rgb) -> Option<Term> {
+        if !self.effects.has(Effect::Ambient) {
+            return None;
+        }
         let term = Term::Ambient { ka: self.ka, ia };
         (!term.value().is_black()).then_some(term)
     }
 
-    /// True if the surface has a diffuse or a specular coefficient here: else lights do not matter.
+    /// Whether lights matter here: the surface has a diffuse or a specular coefficient, and its effect is simulated. Or why not.
     #[inline]
-    pub fn shows_lights(&self) -> bool {
-        !(self.kd.is_black() && self.material.specular.is_black())
+    pub fn shows_lights(&self) -> Result<(), Absence> {
+        if self.is_diffuse() || self.has_highlights() {
+            return Ok(());
+        }
+        Err(if self.kd.is_black() && self.material.specular.is_black() {
+            Absence::NoLocalLight
+        } else {
+            Absence::EffectOff
+        })
+    }
+
+    #[inline]
+    fn is_diffuse(&self) -> bool {
+        !self.kd.is_black() && self.effects.has(Effect::Diffuse)
+    }
+
+    #[inline]
+    fn has_highlights(&self) -> bool {
+        !self.material.specular.is_black() && self.effects.has(Effect::Highlights)
+    }
+
+    /// Kd at the point.
+    pub fn diffuse_color(&self) -> Rgb {
+        self.kd
     }
 
     /// n: the exponent of highlights.
@@ -91,18 +116,19 @@ impl<'a> ShadingPoint<'a> {
     #[inline(always)]
     pub fn eval(&self, light: &LightSample, n_dot_l: f64, mut add: impl FnMut(Term)) {
         let (kd, intensity) = (self.kd, light.intensity);
-        add(match light.projected {
-            Some(light) => Term::Projected { kd, light, n_dot_l },
-            None => Term::Diffuse {
-                kd,
-                intensity,
-                n_dot_l,
-            },
-        });
-        let ks = self.material.specular;
-        if !ks.is_black() && self.effects.has(Effect::Highlights) {
+        if self.effects.has(Effect::Diffuse) {
+            add(match light.projected {
+                Some(light) => Term::Projected { kd, light, n_dot_l },
+                None => Term::Diffuse {
+                    kd,
+                    intensity,
+                    n_dot_l,
+                },
+            });
+        }
+        if self.has_highlights() {
             add(Term::Specular {
-                ks,
+                ks: self.material.specular,
                 intensity,
                 r_dot_v: reflect(-light.direction, self.at.normal).dot(self.at.to_viewer),
                 shininess: self.material.shininess,

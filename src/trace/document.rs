@@ -16,8 +16,8 @@ use serde::{Deserialize, Serialize};
 
 pub use make::of;
 pub use node::{
-    AbsentRay, HitPoint, LightSummary, MediumBoundary, PassedSurface, PointOfLight, RayNode,
-    RayOutcome,
+    AbsentRay, GroupFrame, HitPoint, LightSummary, MediumBoundary, PassedSurface, PointOfLight,
+    RayNode, RayOutcome,
 };
 pub use path::RayInTree;
 pub use settings::{AdaptiveSettings, ArithmeticSettings, DocumentSettings};

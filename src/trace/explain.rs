@@ -4,9 +4,11 @@
 //! inputs.
 
 mod absence;
+mod bodies;
 mod end;
 mod fresnel;
 mod light_samples;
+mod patches;
 mod ray;
 mod screen;
 mod shapes;
@@ -23,6 +25,9 @@ use super::View;
 use super::format::rgb;
 use crate::math::Rgb;
 use crate::probe::{Event, NONE};
+
+/// What stands in the place of what is not known yet.
+pub const UNKNOWN: &str = "?";
 
 /// What an event means.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,6 +71,14 @@ impl Explanation {
             color: None,
         });
         self
+    }
+
+    /// Adds `name = text`, if there is one.
+    fn row_if(self, name: &str, text: Option<&str>) -> Self {
+        match text {
+            Some(text) => self.row(name, text),
+            None => self,
+        }
     }
 
     /// Adds `name = colour`.

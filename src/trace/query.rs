@@ -7,10 +7,11 @@
 //! query    = all *("or" all)
 //! all      = part *("and" part)
 //! part     = "not" part | "(" query ")" | "some" "(" query ")" | word | quantity compare number
-//! word     = "hit" | "miss" | "back" | "tir" | "I" | "L" | "R" | "T"
+//! word     = "hit" | "miss" | "front" | "back" | "tir" | "I" | "L" | "R" | "T"
 //!          | ("hits" | "material" | "lit" | "blocked") ":" name | "absent" ":" reason | "path" ":" kinds ">" name
 //! quantity = "depth" | "rays" | "t" | "red" | "green" | "blue" | "luminance" | "n1" | "n2" | "reflectance"
-//!          | ("n_dot_l" | "diffuse" | "specular") ":" name
+//!          | ("direction" | "point" | "normal") "." ("x" | "y" | "z") | "angle" | "normal_angle" | "n_dot_v"
+//!          | ("n_dot_l" | "r_dot_v" | "diffuse" | "specular") ":" name
 //! compare  = "<" | "<=" | ">" | ">=" | "=" | "!="
 //! ```
 //!
@@ -24,6 +25,7 @@ mod quantity;
 mod token;
 
 use crate::probe::{Event, RayKind};
+use crate::shading::Side;
 use crate::trace::{Outcome, View};
 use quantity::NodeQuantity;
 
@@ -57,12 +59,16 @@ pub enum Property {
     Hit,
     /// It leaves the scene.
     Miss,
+    /// It meets a surface from outside.
+    Front,
     /// It meets a surface from inside.
     Back,
     /// It ends on an object of such a name.
     Hits(Pattern),
     /// It ends on a material of such a name.
     Material(Pattern),
+    /// It ends on a part of such a name: a wall, a cap, or what a csg is made of.
+    Part(Pattern),
     /// Where it ends, light reaches the surface from a light of such a name.
     Lit(Pattern),
     /// Where it ends, something is before a light of such a name.
@@ -155,6 +161,7 @@ impl Property {
             Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => Some(hit),
             _ => None,
         };
+        let side = || Some(view.surface_hit(node)?.at.side);
         // The shadow rays to lights of such a name.
         let shadow_ray = |pattern: &Pattern, lit: bool| {
             tree.children(node)
@@ -169,14 +176,17 @@ impl Property {
             Self::Kind(kind) => this.ray.kind == *kind,
             Self::Hit => hit.is_some(),
             Self::Miss => this.outcome == Some(Outcome::Miss),
-            Self::Back => view
-                .surface_hit(node)
-                .is_some_and(|surface| surface.at.side == crate::shading::Side::Back),
+            Self::Front => side() == Some(Side::Front),
+            Self::Back => side() == Some(Side::Back),
             Self::Hits(pattern) => {
                 hit.is_some_and(|hit| pattern.matches(&scene.object_of(hit.primitive).name))
             }
             Self::Material(pattern) => {
-                hit.is_some_and(|hit| pattern.matches(&world.scene.material_of(hit.primitive).name))
+                hit.is_some_and(|hit| pattern.matches(&world.scene.material_at(&hit).name))
+            }
+            Self::Part(pattern) => {
+                let part = hit.as_ref().and_then(|hit| scene.part_name(hit));
+                part.is_some_and(|name| pattern.matches(name))
             }
             Self::Lit(pattern) => shadow_ray(pattern, true),
             Self::Blocked(pattern) => shadow_ray(pattern, false),

@@ -22,6 +22,10 @@ pub struct SurfaceHit<'a> {
     pub object: &'a Object,
     /// The number of the primitive within the object.
     pub primitive: u32,
+    /// The part of the shape, if it has parts.
+    pub part: Option<&'a str>,
+    /// Weights of a triangle's corners.
+    pub barycentric: Option<[f64; 3]>,
     /// Its material.
     pub material: &'a Material,
 }
@@ -35,12 +39,16 @@ impl<'a> View<'a> {
         };
         let scene = &self.world.scene;
         let ray = Ray::new(node.ray.origin, node.ray.direction);
+        let at = self.laws().interaction(scene, &ray, &hit);
+        let effects = self.settings.effects;
         Some(SurfaceHit {
             hit,
-            at: self.laws().interaction(scene, &ray, &hit),
+            at: *scene.shaded((&hit, &at), effects, &mut None),
             object: scene.object_of(hit.primitive),
             primitive: scene.local_index(hit.primitive),
-            material: scene.material_of(hit.primitive),
+            part: scene.part_name(&hit),
+            barycentric: scene.barycentric(&hit),
+            material: scene.material_at(&hit),
         })
     }
 

@@ -87,11 +87,22 @@ impl Node {
 impl RayTree {
     /// Folds a log into its tree, with a stack of the rays that are under way.
     pub fn new<const TRAVERSAL: bool>(recorder: Recorder<TRAVERSAL>) -> Self {
+        Self::fold(recorder.events, recorder.dropped)
+    }
+
+    /// The tree of the events before one: what is known by then.
+    #[must_use]
+    pub fn until(&self, end: usize) -> Self {
+        let known = self.events.get(..end).unwrap_or(&self.events);
+        Self::fold(known.to_vec(), 0)
+    }
+
+    fn fold(events: Vec<Event>, dropped: u64) -> Self {
         let mut tree = Self {
-            events: recorder.events,
+            events,
             nodes: Vec::new(),
             samples: Vec::new(),
-            dropped: recorder.dropped,
+            dropped,
         };
         let mut open: Vec<u32> = Vec::new();
         for (index, event) in (0..).zip(&tree.events) {
@@ -170,6 +181,17 @@ impl RayTree {
     /// A node.
     pub fn node(&self, id: u32) -> &Node {
         &self.nodes[id as usize]
+    }
+
+    /// True if its `Return` is in the log.
+    pub fn is_done(&self, id: u32) -> bool {
+        let last = self.node(id).last_event;
+        let is_return = matches!(self.events.get(last as usize), Some(Event::Return { .. }));
+        // In a log that was cut the last event may be the return of a ray that it sent.
+        is_return
+            && !self
+                .children(id)
+                .any(|child| self.node(child).last_event == last)
     }
 
     /// The rays that a node's hit sent, in order.

@@ -14,7 +14,8 @@ use crate::shading::{Area, Effect};
 
 impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     /// Adds the light that arrives at a vertex. `is_first`: it is the closest hit of its ray, of which something may be prefetched.
-    #[inline]
+    /// (Never inlined, so that the recursion around it is compiled alike whatever lights there are.)
+    #[inline(never)]
     pub(super) fn direct_light(&mut self, sum: &mut Rgb, vertex: &Vertex, is_first: bool) {
         let Vertex { path, point } = vertex;
         let prefetched = path.prefetched.filter(|_| is_first);

@@ -167,7 +167,8 @@ impl LightSampler for AreaSampler<'_> {
         shadow_ray(self.settings, self.point, || light, || self.origin)
     }
 
-    #[inline]
+    // Always, for the reason above.
+    #[inline(always)]
     fn shadow_ray(&self, sample: u32) -> SampledRay {
         let light = || self.light(sample);
         shadow_ray(self.settings, self.point, light, || self.origin)
@@ -182,9 +183,7 @@ fn shadow_ray(
     light: impl FnOnce() -> Option<LightSample>,
     origin: impl FnOnce() -> ShadowOrigin,
 ) -> SampledRay {
-    if !point.shows_lights() {
-        return Err(Absence::NoLocalLight);
-    }
+    point.shows_lights()?;
     let Some(light) = light() else {
         return Err(Absence::FacingAway { n_dot_l: 0.0 });
     };

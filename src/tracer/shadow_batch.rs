@@ -43,7 +43,7 @@ impl<S: LightSampler> ShadowRays for S {
         self.samples()
     }
 
-    #[inline]
+    #[inline(always)]
     fn get<'s>(&'s self, sample: u32, slot: &'s mut Slot) -> (&'s SampledRay, Option<bool>) {
         (slot.insert(self.shadow_ray(sample)), None)
     }
@@ -55,7 +55,7 @@ impl ShadowRays for [Prefetched] {
         self.len() as u32
     }
 
-    #[inline]
+    #[inline(always)]
     fn get<'s>(&'s self, sample: u32, _: &'s mut Slot) -> (&'s SampledRay, Option<bool>) {
         let Prefetched { ray, occluded } = &self[sample as usize];
         (ray, Some(*occluded))

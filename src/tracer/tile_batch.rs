@@ -116,8 +116,10 @@ impl TileBatch {
         let kind = &scene.lights[light as usize].kind;
         for (hit, at) in self.hits.iter().zip(&self.points) {
             if let (Some(hit), Some(at)) = (hit, at) {
-                let material = scene.material_of(hit.primitive);
-                let point = ShadingPoint::new(at, material, settings.effects);
+                let material = scene.material_at(hit);
+                let (effects, mut flat) = (settings.effects, None);
+                let at = scene.shaded((hit, at), effects, &mut flat);
+                let point = ShadingPoint::new(at, material, effects);
                 let sampler = PointSampler::new(settings, &point, kind);
                 self.shadow.sample(&sampler, 1);
             } else {
@@ -135,10 +137,13 @@ impl TileBatch {
         (light, area): (u32, &Area),
         count: u32,
     ) {
+        let scene = &world.scene;
         for ((sample, hit), at) in self.samples.iter().zip(&self.hits).zip(&self.points) {
             if let (Some(hit), Some(at)) = (hit, at) {
-                let material = world.scene.material_of(hit.primitive);
-                let point = ShadingPoint::new(at, material, settings.effects);
+                let material = scene.material_at(hit);
+                let (effects, mut flat) = (settings.effects, None);
+                let at = scene.shaded((hit, at), effects, &mut flat);
+                let point = ShadingPoint::new(at, material, effects);
                 let sampler = AreaSampler::new(settings, &point, area, (sample.path, light));
                 self.shadow.sample(&sampler, count);
             } else {

@@ -7,11 +7,12 @@
 
 use super::laws::Laws;
 use super::state::{Path, Tracer, Vertex};
+use crate::geometry::Hit;
 use crate::math::Rgb;
 use crate::probe::RayKind::{self, Reflected, Transmitted};
-use crate::probe::{Absence, Event, NONE, Probe, Term, counting, tell};
-use crate::shading::{Secondary, ShadingPoint};
-use crate::world::{Found, Interface, NextHit, OpenMedia};
+use crate::probe::{Absence, Event, NONE, Probe, Term, tell};
+use crate::shading::{Interaction, Secondary, ShadingPoint};
+use crate::world::{Contact, Interface, NextHit, OpenMedia};
 
 /// Secondary ray, or why there is none.
 type Wanted = Result<Secondary, Absence>;
@@ -20,30 +21,42 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     /// Radiance that comes back along a ray.
     pub(super) fn radiance(&mut self, path: &mut Path) -> Rgb {
         self.tell_ray(path);
-        match self.next_interface(path, &mut Found::default()) {
-            Some(surface) => self.shade(path, &surface),
+        match self.closest(path, &mut None) {
             None => self.background(),
+            Some((hit, at)) if self.world.contact(hit.primitive) == Contact::None => {
+                self.shade(path, &NextHit::opaque(hit, at))
+            }
+            Some(closest) => self.radiance_among_media(path, closest),
         }
     }
 
-    /// Next surface of a ray where light changes.
+    /// Closest hit of a ray, and its point, unless they are prefetched. `found` is memory for them.
     #[inline]
-    fn next_interface<'b: 'f, 'f>(
+    fn closest<'b: 'f, 'f>(
         &mut self,
-        path: &mut Path<'b>,
-        found: &'f mut Found,
-    ) -> Option<NextHit<'f>> {
-        let (world, ray, rays) = (self.world, &path.ray, &mut self.rays);
-        let (hit, at) = if let Some(pixel) = path.prefetched {
-            pixel.hit()?
-        } else {
-            let (hit, at) = found
-                .closest
-                .insert(self.laws.closest_point(world, ray, self.probe)?);
-            (&*hit, &*at)
-        };
+        path: &Path<'b>,
+        found: &'f mut Option<(Hit, Interaction)>,
+    ) -> Option<(&'f Hit, &'f Interaction)> {
+        if let Some(pixel) = path.prefetched {
+            return pixel.hit();
+        }
+        let closest = self.laws.closest_point(self.world, &path.ray, self.probe)?;
+        let (hit, at) = found.insert(closest);
+        Some((hit, at))
+    }
+
+    /// Radiance of a ray whose closest hit is on a transparent object or touches one: what it meets there is the next surface
+    /// where light changes. (Never inlined, so that opaque surfaces pay nothing.)
+    #[inline(never)]
+    fn radiance_among_media(&mut self, path: &mut Path, closest: (&Hit, &Interaction)) -> Rgb {
         let media = (&mut path.media, &mut self.scratch);
-        world.next_interface(ray, (hit, at), &mut found.surface, media, rays, self.probe)
+        let next = self
+            .world
+            .next_interface(&path.ray, closest, media, &mut self.rays, self.probe);
+        match next {
+            Some(surface) => self.shade(path, &surface.next_hit()),
+            None => self.background(),
+        }
     }
 
     /// Radiance of a ray that leaves the scene.
@@ -58,11 +71,14 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     }
 
     /// Radiance of a surface: the shading equation, term by term.
+    #[inline(always)]
     fn shade(&mut self, path: &Path, surface: &NextHit) -> Rgb {
         tell!(self.probe, Event::Hit(*surface.hit));
         let scene = &self.world.scene;
-        let material = scene.material_of(surface.hit.primitive);
-        let point = ShadingPoint::new(surface.at, material, self.settings.effects);
+        let material = scene.material_at(surface.hit);
+        let (effects, mut flat) = (self.settings.effects, None);
+        let at = scene.shaded((surface.hit, surface.at), effects, &mut flat);
+        let point = ShadingPoint::new(at, material, effects);
         let vertex = Vertex { path, point };
         let mut sum = Rgb::BLACK;
         // What the surface sends out itself, and its share of the light that is everywhere.
@@ -72,7 +88,7 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
         // What each light adds, unless something is in its way.
         self.direct_light(&mut sum, &vertex, surface.is_first);
         // What comes from the mirrored and from the refracted direction.
-        if let Some(interface) = surface.interface.filter(|_| counting::REFRACTION) {
+        if let Some(interface) = surface.interface {
             self.refract(&mut sum, &vertex, interface);
         } else {
             let reflected = self.laws.reflected(&point, None);
@@ -82,7 +98,7 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
         self.done(self.laws.returned(sum))
     }
 
-    /// Adds the reflected and the transmitted ray where media change. (Never inlined, so that opaque surfaces pay nothing.)
+    /// Adds the reflected and the transmitted ray where media change.
     #[inline(never)]
     fn refract(&mut self, sum: &mut Rgb, vertex: &Vertex, media: &Interface) {
         let Vertex { path, point } = vertex;

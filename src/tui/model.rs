@@ -1,6 +1,8 @@
 //! State of the debugger, the messages that change it, and the table of keys. Nothing here draws or does input or output.
 
 pub mod action;
+pub mod ask;
+pub mod ask_lines;
 pub mod bindings;
 pub mod change;
 pub mod examples;
@@ -19,7 +21,7 @@ pub use action::{Action, Context};
 pub use change::{Before, PendingChange};
 pub use layout::{Pane, Panes, inside};
 pub use message::{Job, JobOutput, Message, Mouse};
-pub use motion::{LogRun, Play, PlayUnit};
+pub use motion::{Play, PlayUnit};
 pub use options::Options;
 pub use overlay::{Overlay, Prompt};
 pub use state::{Model, Request};

@@ -1,5 +1,6 @@
 //! View: draws the model, and only reads it.
 
+pub mod ask;
 pub mod bars;
 pub mod convergence;
 pub mod details;
@@ -13,9 +14,10 @@ pub mod report;
 pub mod screen;
 pub mod steps;
 pub mod text;
-mod text_box;
+pub mod text_box;
 pub mod theme;
 pub mod tree;
 pub mod warnings;
+pub mod watches;
 
 pub use screen::draw;

@@ -1,7 +1,11 @@
 //! Update of the model by a message. What takes long is asked of the worker: see [`crate::tui::model::Job`].
 
 mod action;
+pub mod ask;
+mod caret;
 mod compare;
+mod compare_scene;
+mod compare_steps;
 mod convergence;
 mod dispatch;
 mod edit;

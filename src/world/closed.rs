@@ -1,12 +1,13 @@
 //! Which objects bound a part of space, so that every line comes out of them as often as it goes in.
 
-use crate::geometry::Shape;
+use crate::geometry::patch::{enclosed_volume as enclosed_by, open_edges};
+use crate::geometry::{Shape, SurfacePatch};
 use crate::math::DVec3;
 
 /// Whether shapes bound a part of space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Closing {
-    /// They are solids, or triangles that close: each edge is run through as often in one direction as in the other.
+    /// They are solids, or triangles and polygons that close: each edge is run through as often in one direction as in the other.
     Closed,
     /// Triangles close, but some are turned over: at so many edges.
     Mixed(usize),
@@ -18,23 +19,20 @@ pub enum Closing {
 pub fn closing(shapes: &[Shape]) -> Closing {
     let mut edges: Vec<(Edge, i32)> = Vec::new();
     let mut sheets = false;
+    let mut patches = Vec::new();
     for shape in shapes {
         match shape.plain() {
             Shape::Triangle(triangle) => {
-                let [a, b, c] = triangle.corners.map(bits);
-                edges.extend(
-                    [(a, b), (b, c), (c, a)].map(
-                        |(p, q)| {
-                            if p < q { ((p, q), 1) } else { ((q, p), -1) }
-                        },
-                    ),
-                );
+                let [a, b, c] = triangle.corners;
+                edges.extend([[a, b], [b, c], [c, a]].map(directed));
             }
+            Shape::Polygon(polygon) => edges.extend(polygon.edges().map(directed)),
+            Shape::Patch(patch) => patches.push((**patch).clone()),
             other => sheets |= !other.is_solid(),
         }
     }
     edges.sort_unstable();
-    let (mut open, mut turned) = (0, 0);
+    let (mut open, mut turned) = (open_edges(&patches), 0);
     for same in edges.chunk_by(|(a, _), (b, _)| a == b) {
         if same.iter().map(|(_, way)| way).sum::<i32>() != 0 {
             let lone = same.len() % 2 == 1;
@@ -53,8 +51,8 @@ pub fn is_closed(shapes: &[Shape]) -> bool {
     closing(shapes) == Closing::Closed
 }
 
-/// The volume inside of shapes that are closed, in cubic metres, as rounded. Of triangles: the sum of the tetrahedra that they
-/// span with the first corner (divergence theorem).
+/// The volume inside of shapes that are closed, in cubic metres, as rounded. Of triangles and polygons: the sum of the pyramids that
+/// they span with one point (divergence theorem).
 pub fn enclosed_volume(shapes: &[Shape]) -> f64 {
     let mut base = None;
     let volume = |shape: &Shape| match shape.plain() {
@@ -63,9 +61,27 @@ pub fn enclosed_volume(shapes: &[Shape]) -> f64 {
             let [a, b, c] = triangle.corners.map(|corner| corner - base);
             a.dot(b.cross(c)) / 6.0
         }
+        Shape::Polygon(polygon) => {
+            let base = *base.get_or_insert(polygon.center());
+            polygon.area_vector().dot(polygon.center() - base) / 3.0
+        }
         solid => solid.volume(),
     };
-    shapes.iter().map(volume).sum::<f64>().abs()
+    let patches: Vec<SurfacePatch> = shapes
+        .iter()
+        .filter_map(|shape| match shape.plain() {
+            Shape::Patch(patch) => Some((**patch).clone()),
+            _ => None,
+        })
+        .collect();
+    let flat = shapes.iter().map(volume).sum::<f64>();
+    (flat + enclosed_by(&patches)).abs()
+}
+
+/// An edge, and 1 or -1 for the way in which it is run through.
+fn directed(ends: [DVec3; 2]) -> (Edge, i32) {
+    let [p, q] = ends.map(bits);
+    if p < q { ((p, q), 1) } else { ((q, p), -1) }
 }
 
 /// Two ends, the smaller one first.

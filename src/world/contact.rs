@@ -3,6 +3,7 @@
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 use crate::scene::Scene;
+use crate::shading::Material;
 
 /// Contact of an object with media.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,10 +24,14 @@ const MOST_PAIRS: usize = 1 << 24;
 pub fn contacts(scene: &Scene) -> Vec<Contact> {
     let count = scene.objects.len();
     let material = |o: usize| &scene.materials[scene.objects[o].material as usize];
+    let sends_rays = |o: usize| {
+        let mut materials = scene.materials_of(&scene.objects[o]);
+        materials.any(Material::sends_rays)
+    };
     let media: Vec<usize> = (0..count)
         .filter(|o| material(*o).is_transmissive())
         .collect();
-    let asked = (0..count).filter(|o| material(*o).sends_rays()).count();
+    let asked = (0..count).filter(|o| sends_rays(*o)).count();
     if media.is_empty() {
         return vec![Contact::None; count];
     }
@@ -39,7 +44,7 @@ pub fn contacts(scene: &Scene) -> Vec<Contact> {
             let near = |other: &usize| *other != o && extents[o].meets(&extents[*other]);
             let single = scene.shapes_of(o as u32).len() == 1;
             match material(o) {
-                m if !m.sends_rays() => Contact::None,
+                _ if !sends_rays(o) => Contact::None,
                 _ if in_doubt => Contact::Touching,
                 m if m.is_transmissive() => {
                     let solid = single && scene.shapes_of(o as u32)[0].is_solid();

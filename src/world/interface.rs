@@ -26,15 +26,6 @@ pub struct NextHit<'f> {
     pub is_first: bool,
 }
 
-/// Memory for what a ray meets.
-#[derive(Debug, Default)]
-pub struct Found {
-    /// The closest hit.
-    pub closest: Option<(Hit, Interaction)>,
-    /// The surface that counts, where media are involved.
-    pub surface: Option<Surface>,
-}
-
 /// Surface among media.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
@@ -63,6 +54,31 @@ struct Crossed {
     beyond: OpenMedia,
 }
 
+impl<'f> NextHit<'f> {
+    /// The closest hit of a ray, on an opaque object that touches no transparent one.
+    #[inline(always)]
+    pub fn opaque(hit: &'f Hit, at: &'f Interaction) -> Self {
+        Self {
+            hit,
+            at,
+            interface: None,
+            is_first: true,
+        }
+    }
+}
+
+impl Surface {
+    /// The surface as the next hit of its ray.
+    pub fn next_hit(&self) -> NextHit<'_> {
+        NextHit {
+            hit: &self.hit,
+            at: &self.at,
+            interface: self.interface.as_ref(),
+            is_first: self.is_first,
+        }
+    }
+}
+
 impl World {
     /// Closest hit of a ray, and its point.
     #[inline]
@@ -73,54 +89,24 @@ impl World {
 
     /// Next interface of a ray that is inside the open objects `media`, from its closest hit on; `None` if it leaves the scene.
     ///
-    /// Surfaces that change nothing are passed and told of; each costs as much as a ray and counts as one. `found` is memory
-    /// for the result.
+    /// Surfaces that change nothing are passed and told of; each costs as much as a ray and counts as one.
     #[inline(always)]
-    pub fn next_interface<'f, P: Probe>(
+    pub fn next_interface<P: Probe>(
         &self,
         ray: &Ray,
-        (hit, at): (&'f Hit, &'f Interaction),
-        found: &'f mut Option<Surface>,
+        (hit, at): (&Hit, &Interaction),
         (media, scratch): (&mut OpenMedia, &mut Scratch),
         rays: &mut RayBudget,
         probe: &mut P,
-    ) -> Option<NextHit<'f>> {
-        if self.contact(hit.primitive) == Contact::None {
-            return Some(NextHit {
-                hit,
-                at,
-                interface: None,
-                is_first: true,
-            });
-        }
-        let surface = found.insert(Surface {
+    ) -> Option<Surface> {
+        let mut surface = Surface {
             hit: *hit,
             at: *at,
             interface: None,
             is_first: true,
-        });
-        let is_there = self.find_interface(ray, surface, (media, scratch), rays, probe);
-        is_there.then_some(NextHit {
-            hit: &surface.hit,
-            at: &surface.at,
-            interface: surface.interface.as_ref(),
-            is_first: surface.is_first,
-        })
-    }
-
-    /// Moves from the closest hit to the next interface; false if the ray leaves the scene. (Never inlined, so that scenes
-    /// without media pay nothing for it.)
-    #[inline(never)]
-    fn find_interface<P: Probe>(
-        &self,
-        ray: &Ray,
-        surface: &mut Surface,
-        (media, scratch): (&mut OpenMedia, &mut Scratch),
-        rays: &mut RayBudget,
-        probe: &mut P,
-    ) -> bool {
+        };
         while self.contact(surface.hit.primitive) != Contact::None {
-            let crossed = self.cross(ray, surface, *media, scratch);
+            let crossed = self.cross(ray, &mut surface, *media, scratch);
             if !self.is_transmissive(surface.hit.primitive) {
                 break;
             }
@@ -143,14 +129,11 @@ impl World {
             );
             rays.ray();
             *media = crossed.beyond;
-            let Some(hit) = self.closest(ray, crossed.end, probe) else {
-                return false;
-            };
-            surface.hit = hit;
+            surface.hit = self.closest(ray, crossed.end, probe)?;
             surface.at = self.scene.interaction(ray, &surface.hit);
             surface.is_first = false;
         }
-        true
+        Some(surface)
     }
 
     /// What `ray` crosses at its closest `surface`, together with all that touches it; moves to the surface that counts: an

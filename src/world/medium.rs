@@ -30,6 +30,7 @@ pub struct Crossing {
 
 /// The object in whose medium a ray travels that is going to meet the crossings `ahead`, in order, and came into the open
 /// objects `entered`; [`NONE`] for air: of all that the ray is inside of, the one of the highest rank. See `src/world/rank.rs`.
+#[inline(never)]
 pub fn medium(entered: &OpenMedia, ahead: &[Crossing], rank: impl Fn(u32) -> u32) -> u32 {
     let mut best = NONE;
     let mut inside = |object: u32| {
@@ -72,6 +73,7 @@ impl OpenMedia {
 
     /// The objects after the ray went into `object`.
     #[must_use]
+    #[inline(always)]
     pub fn and(mut self, object: u32) -> Self {
         if self.depth == NESTING {
             self.objects.rotate_left(1);
@@ -85,6 +87,7 @@ impl OpenMedia {
     /// The objects after the ray came out of `object`: its innermost entry goes, wherever it stands, so that objects that
     /// overlap are left in any order. Nothing changes if the ray was not inside.
     #[must_use]
+    #[inline(always)]
     pub fn without(mut self, object: u32) -> Self {
         let inside = &self.objects[..self.depth];
         if let Some(i) = inside.iter().rposition(|&o| o == object) {
@@ -108,7 +111,8 @@ mod tests {
                 hit: Hit {
                     t: 1.0,
                     primitive: 0,
-                    barycentric: [0.0; 3],
+                    part: 0,
+                    place: [0.0; 3],
                 },
                 object,
                 enters: Some(sign == '+'),

@@ -53,6 +53,9 @@ impl Document<'_> {
         fields.push(format!("\"materials\": {{{}}}", materials.join(",")));
         let objects: Vec<_> = (0..=self.dice.few(12)).map(|_| self.object(0)).collect();
         fields.push(format!("\"objects\": [{}]", objects.join(",\n")));
+        if self.dice.one_in(3) {
+            fields.push(format!("\"parts\": {{{}}}", self.parts()));
+        }
         let lights: Vec<_> = (0..self.dice.few(5)).map(|_| self.light()).collect();
         fields.push(format!("\"lights\": [{}]", lights.join(",")));
         // The order of fields is free; now and then one is missing or there twice.
@@ -65,6 +68,23 @@ impl Document<'_> {
             fields.push(fields[0].clone());
         }
         format!("{{{}}}", fields.join(",\n"))
+    }
+
+    /// Two parts, of which now and then the second uses the first, and seldom the first the second.
+    fn parts(&mut self) -> String {
+        let one = self.object(38);
+        let other = self.object(38);
+        let back = if self.dice.one_in(20) {
+            self.used()
+        } else {
+            self.object(40)
+        };
+        let on = if self.dice.one_in(2) {
+            self.used()
+        } else {
+            self.object(40)
+        };
+        format!("\"p\": [{one}, {back}], \"q\": [{other}, {on}]")
     }
 
     /// 1 where something shall be wrong, else 0.

@@ -14,6 +14,7 @@ use raytree::tracer::{draw, pixel};
 use raytree::world::World;
 
 use super::memory::{Memory, counted};
+use super::written_out::written_out;
 
 /// A scene file or a model, `main`, and the files beside it.
 #[derive(Clone, Debug, Default)]
@@ -45,6 +46,9 @@ pub struct Outcome {
 /// Memory that reading anything may take, and the factor on the bytes of the input.
 const BASE: usize = 64 << 10;
 pub const FACTOR: usize = 64;
+
+/// A leaf of a patch counts as so many bytes of input: it takes up to a kilobyte.
+const LEAF: usize = 16;
 
 /// The edge of the picture that is made of what is accepted, and the rays of each pixel.
 const EDGE: u32 = 8;
@@ -102,14 +106,14 @@ impl Case {
         }
     }
 
-    /// Bytes of all files, each as often as it is named: a model that a scene shows ten times is read ten times.
+    /// Bytes of all files, each as often as it is named: a model that a scene shows ten times is read ten times. So are parts, which
+    /// are resolved at each use. A patch is kept as up to 256 leaves, each of which has as many points.
     pub fn size(&self) -> usize {
         let size = |name: &str| self.files.get(name).map_or(0, Vec::len);
-        let models = match self.main.as_str() {
-            "scene.json" => count(&self.files["scene.json"], b"\"file\"").max(1),
-            _ => 1,
-        };
-        size("scene.json") + models * (size("m.obj") + size("x.mtl"))
+        let scene = self.files.get("scene.json").map_or(&[][..], Vec::as_slice);
+        let weight = written_out(scene);
+        let models = weight.models.max(1) * (size("m.obj") + size("x.mtl"));
+        weight.bytes + models + 256 * LEAF * weight.patches
     }
 
     /// Reads it, and checks all laws of reading. `work` is what well-formed files cost: bytes of memory in all, for

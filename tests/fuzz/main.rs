@@ -22,6 +22,7 @@ mod search;
 mod tasks;
 mod trees;
 mod words;
+mod written_out;
 mod zips;
 
 use std::collections::BTreeMap;

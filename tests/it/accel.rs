@@ -1,7 +1,7 @@
 //! Every accelerator answers as the list does: same primitive, same bits of t and of the weights.
 
 mod large;
-mod scenes;
+pub mod scenes;
 
 use proptest::prelude::*;
 use raytree::accel::{Accel, AccelKind, AccelStats};
@@ -27,8 +27,15 @@ const TREES: [AccelKind; 10] = [
 ];
 
 /// A hit with its numbers as bits, so that equal means identical.
-fn bits(hit: Option<Hit>) -> Option<(u32, u64, [u64; 3])> {
-    hit.map(|h| (h.primitive, h.t.to_bits(), h.barycentric.map(f64::to_bits)))
+fn bits(hit: Option<Hit>) -> Option<(u32, u32, u64, [u64; 3])> {
+    hit.map(|h| {
+        (
+            h.primitive,
+            h.part,
+            h.t.to_bits(),
+            h.place.map(f64::to_bits),
+        )
+    })
 }
 
 /// Asks all accelerators the same. The error says which one differs, and for which ray.

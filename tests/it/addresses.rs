@@ -82,7 +82,7 @@ fn trace_writes_the_tree_of_an_address() {
     for args in [
         &["trace", "whitted@160,120/R"][..],
         &["trace", "whitted", "--at", "160,120/R"],
-        &["trace", "whitted", "--at", "whitted@160,120/R.direction"],
+        &["trace", "whitted", "--at", "whitted@160,120/R"],
     ] {
         assert_eq!(
             json(args).pointer("/samples/0/root"),

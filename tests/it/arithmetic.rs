@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use raytree::accel::AccelKind;
-use raytree::geometry::{Arithmetic, Offset, Precision, Quadratic, TriangleTest};
+use raytree::geometry::{Arithmetic, Offset, Precision, Quadratic, QuarticMethod, TriangleTest};
 use raytree::probe::Event;
 use raytree::scene::{self, Settings};
 use raytree::trace::{View, trace_pixel};
@@ -14,6 +14,7 @@ const NONE: Arithmetic = Arithmetic {
     triangle: TriangleTest::Watertight,
     offset: Offset::None,
     quadratic: Quadratic::Stable,
+    quartic: QuarticMethod::Polished,
     precision: Precision::Double,
 };
 
@@ -27,6 +28,7 @@ fn variants() -> Vec<Arithmetic> {
                         triangle,
                         offset,
                         quadratic,
+                        quartic: QuarticMethod::Polished,
                         precision,
                     });
                 }

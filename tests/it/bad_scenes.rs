@@ -2,6 +2,7 @@
 
 mod format;
 mod models;
+mod parts;
 mod paths;
 mod shapes;
 mod values;

@@ -1,12 +1,16 @@
 //! `raytree find` and its queries: what it finds is what the ray trees say.
 
+use crate::cli;
 use assert_cmd::Command;
 use raytree::accel::AccelKind;
 use raytree::lab::find::find;
 use raytree::probe::{Event, RayKind};
 use raytree::scene::{self, Settings};
+use raytree::shading::Side;
 use raytree::trace::{Outcome, PixelTrace, TreeQuery, View, trace_pixel};
 use raytree::world::World;
+
+use crate::from_text;
 
 /// A world, settings for a small picture of it, and the trees of all of its pixels.
 fn picture(name: &str) -> (World, Settings, Vec<PixelTrace>) {
@@ -187,6 +191,7 @@ fn a_name_that_nothing_has_is_told() {
             "no light is named `lmap`; did you mean `lamp`?",
         ),
         ("material:gras", "no material is named `gras`"),
+        ("part:wal", "no part is named `wal`; did you mean `wall`?"),
     ] {
         let (status, told) = ran(query, "");
         assert_eq!(told.matches("warning: ").count(), 1, "{told}");
@@ -197,5 +202,114 @@ fn a_name_that_nothing_has_is_told() {
     }
     for query in ["hits:floor", "hits:flor*", "not lit:lamp"] {
         assert!(!ran(query, "").1.contains("warning"), "{query}");
+    }
+}
+
+#[test]
+fn places_and_angles_are_those_of_the_hit_point() {
+    // A floor seen at 45 degrees, in the middle pixel from sqrt(2) metres.
+    let scene = from_text::scene(
+        r#"{"format": "raytree-scene/1", "name": "floor",
+        "camera": {"eye": [3, 1, 1], "look_at": [3, 0, 0], "vertical_fov": 40},
+        "materials": {"grey": {"diffuse": [0.5, 0.5, 0.5]}},
+        "objects": [{"plane": {"name": "floor", "material": "grey", "point": [0, 0, 0], "normal": [0, 1, 0]}}]}"#,
+    );
+    let settings = scene
+        .settings
+        .with(|s| (s.image.width, s.image.height) = (3, 3));
+    let world = World::new(scene, AccelKind::List);
+    let trace = &trace_pixel(&world, &settings, (1, 1), false);
+    let view = View {
+        world: &world,
+        settings: &settings,
+        trace,
+    };
+    let half = 0.5f64.sqrt();
+    for (quantity, value) in [
+        ("direction.x", 0.0),
+        ("direction.y", -half),
+        ("direction.z", -half),
+        ("point.x", 3.0),
+        ("point.y", 0.0),
+        ("point.z", 0.0),
+        ("normal.x", 0.0),
+        ("normal.y", 1.0),
+        ("normal.z", 0.0),
+        ("angle", 45.0),
+        ("n_dot_v", half),
+        ("normal_angle", 0.0),
+    ] {
+        let (least, most) = (value - 1e-9, value + 1e-9);
+        let query = format!("front and {quantity} >= {least} and {quantity} <= {most}");
+        let query: TreeQuery = query.parse().expect("a query");
+        assert!(query.holds(view), "{quantity}");
+    }
+    let query: TreeQuery = "back or angle > 45.01 or point.y > 0.01"
+        .parse()
+        .expect("a query");
+    assert!(!query.holds(view));
+}
+
+#[test]
+fn queries_for_places_and_angles_say_what_the_trees_say() {
+    for scene in ["teapot", "glass-block"] {
+        let picture = picture(scene);
+        let (world, settings, _) = &picture;
+        let at = |trace: &PixelTrace| {
+            let view = View {
+                world,
+                settings,
+                trace,
+            };
+            view.surface_hit(0).map(|surface| surface.at)
+        };
+        check(&picture, "direction.x > 0.05", |t| {
+            t.tree.node(0).ray.direction.x > 0.05
+        });
+        check(&picture, "point.x < 0.1", |t| {
+            at(t).is_some_and(|at| at.point.x < 0.1)
+        });
+        check(&picture, "normal.z > 0.5", |t| {
+            at(t).is_some_and(|at| at.normal.z > 0.5)
+        });
+        check(&picture, "n_dot_v < 0.6", |t| {
+            at(t).is_some_and(|at| at.normal.dot(at.to_viewer) < 0.6)
+        });
+        check(&picture, "angle > 50", |t| {
+            at(t).is_some_and(|at| at.normal.dot(at.to_viewer) < libm::cos(50f64.to_radians()))
+        });
+        check(&picture, "front", |t| {
+            at(t).is_some_and(|at| at.side == Side::Front)
+        });
+    }
+    let leans = |t: &PixelTrace, (world, settings): (&World, &Settings)| {
+        let view = View {
+            world,
+            settings,
+            trace: t,
+        };
+        let at = view.surface_hit(0).map(|surface| surface.at);
+        at.is_some_and(|at| at.normal.dot(at.geometric_normal) < libm::cos(4f64.to_radians()))
+    };
+    let picture = picture("teapot");
+    let (world, settings, _) = &picture;
+    check(&picture, "normal_angle > 4", |t| {
+        leans(t, (world, settings))
+    });
+}
+
+#[test]
+fn a_part_is_found_by_its_name() {
+    for (scene, query, part) in [
+        ("csg", "part:die/one", "die/one"),
+        ("quadrics", "part:top", "top"),
+    ] {
+        let found = cli::run(&["find", scene, query, "--size", "96x72", "--first", "1"]);
+        assert_eq!(found.code, 0, "{}", found.err);
+        let told = String::from_utf8_lossy(&found.out).into_owned();
+        let pixel = told.split_whitespace().next().expect("a pixel").to_owned();
+        let tree = cli::run(&["trace", scene, "--size", "96x72", "--pixel", &pixel]);
+        let tree: serde_json::Value = serde_json::from_slice(&tree.out).expect("JSON");
+        assert_eq!(tree["samples"][0]["root"]["hit"]["part"], part, "{told}");
     }
 }

@@ -68,7 +68,7 @@ fn settings_of(scene: &Scene) -> Settings {
     })
 }
 
-/// A tree as JSON, without what tells of the scene as a whole, and of primitives by number; with the names that objects had.
+/// A tree as JSON, without what tells of the scene as a whole, of primitives by number, and of groups; with the names that objects had.
 pub fn plain_tree(world: &World, settings: &Settings, pixel: (u32, u32)) -> Value {
     let trace = trace_pixel(world, settings, pixel, false);
     let document = document::of(View {
@@ -91,6 +91,7 @@ fn strip(json: &mut Value) {
     match json {
         Value::Object(fields) => {
             fields.remove("primitive");
+            fields.remove("frames");
             if let Some(Value::String(name)) = fields.get_mut("object") {
                 *name = name.split('#').next().unwrap_or_default().to_owned();
             }

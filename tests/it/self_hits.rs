@@ -8,6 +8,7 @@ use raytree::geometry::{
 use raytree::math::{DVec3, Interval, Ray, Transform};
 use raytree::shading::{Interaction, Side};
 
+use crate::accel::scenes::body;
 use crate::common;
 
 /// A number whose power of ten is spread evenly.
@@ -89,8 +90,8 @@ fn arrive(shape: &Shape, target: DVec3, from: DVec3, distance: f64) -> Option<In
     let origin = target + from * distance;
     let ray = Ray::new(origin, (target - origin).try_normalize()?);
     match shape.intersect(&ray, &Shear::new(&ray), Interval::FORWARD) {
-        Intersection::Hit { t, barycentric } => Some(Interaction::new(
-            &shape.surface(&ray, t, barycentric),
+        Intersection::Hit { t, place, part } => Some(Interaction::new(
+            &shape.surface(&ray, t, place, part),
             ray.direction,
             None,
         )),
@@ -176,6 +177,59 @@ fn a_surface_a_nanometre_behind_is_not_lost() {
                 let found = upper.intersect(&ray, &Shear::new(&ray), Interval::FORWARD);
                 let hit = matches!(found, Intersection::Hit { .. });
                 assert!(hit, "offset {offset}, gap {gap}: {found:?}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(common::config(3000))]
+
+    /// Of all closed bodies, turned, stretched and moved: a ray that leaves the surface to the outside crosses it an even number of
+    /// times ahead, and one that goes in an odd number of times.
+    #[test]
+    fn a_ray_is_on_the_side_to_which_it_leaves(
+        number in 0usize..6,
+        at in (unit(), prop_oneof![Just(0.0), scale(-3..7)]).prop_map(|(d, r)| d * r),
+        (axis, angle) in (unit(), 0.0..6.0f64),
+        (stretch, size) in (unit(), scale(-4..5)),
+        weights in [0.01..1.0f64, 0.01..1.0, 0.01..1.0],
+        from in unit(),
+        distance in scale(-2..3),
+        directions in prop::collection::vec(unit(), 10),
+        grazing in scale(-9..0),
+    ) {
+        let map = glam::DAffine3::from_translation(at)
+            * glam::DAffine3::from_axis_angle(axis, angle)
+            * glam::DAffine3::from_scale((stretch.abs() + 0.05) * size);
+        let Some(transform) = Transform::new(map) else {
+            return Ok(());
+        };
+        let shape = Shape::Transformed(Box::new(Transformed {
+            shape: Shape::Body(Box::new(body(number))),
+            transform,
+        }));
+        let Some(at) = arrive(&shape, target(&shape, weights), from, distance * size) else {
+            return Ok(());
+        };
+        // Outwards, whatever side the ray came from.
+        let out = if at.side == Side::Back { -at.geometric_normal } else { at.geometric_normal };
+        for d in directions {
+            let along = (d - out.dot(d) * out).normalize_or(DVec3::X);
+            let graze = grazing * if out.dot(d) < 0.0 { -1.0 } else { 1.0 };
+            for direction in [d, (along + graze * out).normalize()] {
+                // A direction along the surface leaves it to neither side.
+                if out.dot(direction).abs() <= 1e-13 {
+                    continue;
+                }
+                let ray = Ray::new(at.origin_towards(direction), direction);
+                let spans = shape.spans(&ray).expect("a solid");
+                let ahead = spans.cuts().filter(|(cut, _)| cut.t > 0.0).count();
+                let inside = ahead % 2 == 1;
+                prop_assert_eq!(
+                    inside, out.dot(direction) < 0.0,
+                    "{:?} from {:?} along {:?}: {:?}", shape, at.point, direction, spans
+                );
             }
         }
     }

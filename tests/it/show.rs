@@ -76,7 +76,16 @@ fn rays_and_depths_are_those_of_the_trees() {
 #[test]
 fn pictures_of_modes_are_text_or_png_and_odd_flags_are_refused() {
     for mode in [
-        "rays", "nodes", "tests", "depth", "t", "error", "normal", "object",
+        "rays",
+        "nodes",
+        "tests",
+        "depth",
+        "t",
+        "error",
+        "normal",
+        "object",
+        "hit",
+        "direction",
     ] {
         let args = [
             "render", "room", "--size", "32x20", "--show", mode, "--color", "never", "--quiet",
@@ -89,4 +98,63 @@ fn pictures_of_modes_are_text_or_png_and_odd_flags_are_refused() {
     assert!(status == Some(2) && told.contains("--stats"), "{told}");
     let (_, told, status) = raytree(&["render", "room", "--show", "beauty"]);
     assert!(status == Some(2) && told.contains("rays"), "{told}");
+}
+
+#[test]
+fn hit_and_direction_are_those_of_the_eye_ray() {
+    use raytree::lab::show::{ShowMode, ShownValue};
+    use raytree::math::Rgb;
+    use raytree::scene::Bend;
+    use raytree::trace::View;
+    let bend = Bend::all().find(|b| b.name() == "fov-full");
+    for name in ["whitted", "teapot", "nested-glass"] {
+        let scene = scene::load(name).expect("built in");
+        let settings = scene
+            .settings
+            .with(|s| (s.image.width, s.image.height) = (24, 18));
+        let bent = settings.with(|s| s.bends = bend.expect("a bend").into());
+        let world = World::new(scene, AccelKind::default());
+        let (mut grey, mut coloured, mut sky) = (0, 0, 0);
+        for (settings, at) in [settings, bent]
+            .iter()
+            .flat_map(|s| (0..24 * 18).map(move |i| (s, (i % 24, i / 24))))
+        {
+            let trace = trace_pixel(&world, settings, at, false);
+            let direction = trace.tree.node(0).ray.direction;
+            let expected = Rgb::from_srgb((direction * 0.5 + 0.5).to_array());
+            let shown = ShowMode::Direction.of(&world, settings, at);
+            assert_eq!(shown, ShownValue::Color(expected), "{name} {at:?}");
+            let view = View {
+                world: &world,
+                settings,
+                trace: &trace,
+            };
+            let expected = match view.surface_hit(0) {
+                None => {
+                    sky += 1;
+                    vec![world.scene.background]
+                }
+                Some(surface) if surface.material.diffuse.is_black() => {
+                    grey += 1;
+                    vec![Rgb::grey(0.5)]
+                }
+                Some(surface) => {
+                    coloured += 1;
+                    let squares = surface.material.checker.map(|c| c.diffuse);
+                    [surface.material.diffuse]
+                        .into_iter()
+                        .chain(squares)
+                        .collect()
+                }
+            };
+            let ShownValue::Color(shown) = ShowMode::Hit.of(&world, settings, at) else {
+                panic!("{name} {at:?} shows no colour");
+            };
+            assert!(expected.contains(&shown), "{name} {at:?}: {shown:?}");
+        }
+        assert!(
+            coloured > 0 && sky + grey > 0,
+            "{name}: {coloured} {sky} {grey}"
+        );
+    }
 }

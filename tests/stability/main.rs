@@ -20,6 +20,7 @@ mod optics;
 mod oracle;
 mod plates;
 mod shadows;
+mod shapes;
 mod spheres;
 mod support;
 mod triangles;

@@ -15,7 +15,7 @@ use super::support::{Mesh, Random, count, scene};
 /// Where a ray arrives on flat-shaded shapes.
 fn arrival(accel: &Accel, shapes: &[Shape], ray: &Ray) -> Option<Interaction> {
     let hit = accel.closest(shapes, ray, Interval::FORWARD, &mut Silent)?;
-    let surface = shapes[hit.primitive as usize].surface(ray, hit.t, hit.barycentric);
+    let surface = shapes[hit.primitive as usize].surface(ray, hit.t, hit.place, hit.part);
     Some(Interaction::new(&surface, ray.direction, None))
 }
 

@@ -97,8 +97,8 @@ fn case_21_tangents_to_the_last_bit() {
                     let hit = matches!(found, Intersection::Hit { .. });
                     assert_eq!(hit, x <= radius, "{radius} {x}");
                 }
-                if let Intersection::Hit { t, barycentric } = found {
-                    let at = sphere(radius).surface(&ray, t, barycentric);
+                if let Intersection::Hit { t, place, part } = found {
+                    let at = sphere(radius).surface(&ray, t, place, part);
                     assert!((at.normal.length() - 1.0).abs() < 1e-15);
                     assert!(at.point.is_finite() && at.error.is_finite() && at.uv.is_finite());
                 }

@@ -96,7 +96,7 @@ pub fn towards(origin: DVec3, target: DVec3) -> Option<Ray> {
 
 /// A hit as bits, so that equal means identical.
 pub fn bits(hit: &Hit) -> (u32, u64, [u64; 3]) {
-    let weights = hit.barycentric.map(f64::to_bits);
+    let weights = hit.place.map(f64::to_bits);
     (hit.primitive, hit.t.to_bits(), weights)
 }
 

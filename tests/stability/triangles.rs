@@ -75,7 +75,12 @@ fn case_07_no_area_is_left_out_and_else_harmless() {
             assert_eq!(Triangle { corners }.normal(), None);
             // Two corners that are one have the same view: no rounding makes an area of them.
             let collinear = corners[1] != corners[0];
-            if let Intersection::Hit { t, barycentric } = test(&triangle(corners), &ray) {
+            if let Intersection::Hit {
+                t,
+                place: barycentric,
+                ..
+            } = test(&triangle(corners), &ray)
+            {
                 assert!(collinear, "{corners:?} {ray:?}");
                 let point = Triangle { corners }.surface(barycentric).point;
                 assert!((point - ray.at(t)).length() < 1e-13, "{corners:?} {ray:?}");
@@ -172,7 +177,12 @@ fn case_11_the_length_of_the_direction_does_not_matter() {
         let Some(unit) = towards(3.0 * random.direction(), on) else {
             continue;
         };
-        let Intersection::Hit { t, barycentric } = test(&triangle(corners), &unit) else {
+        let Intersection::Hit {
+            t,
+            place: barycentric,
+            ..
+        } = test(&triangle(corners), &unit)
+        else {
             continue;
         };
         met += 1;
@@ -181,7 +191,8 @@ fn case_11_the_length_of_the_direction_does_not_matter() {
             let found = test(&triangle(corners), &ray);
             let Intersection::Hit {
                 t: scaled,
-                barycentric: weights,
+                place: weights,
+                ..
             } = found
             else {
                 panic!("{corners:?} {ray:?}: {found:?}");
@@ -247,7 +258,12 @@ fn case_13_subnormal_triangles_give_no_nan() {
         else {
             continue;
         };
-        if let Intersection::Hit { t, barycentric } = test(&triangle(corners), &ray) {
+        if let Intersection::Hit {
+            t,
+            place: barycentric,
+            ..
+        } = test(&triangle(corners), &ray)
+        {
             assert!(t.is_finite() && barycentric.iter().all(|w| w.is_finite()));
             let surface = Triangle { corners }.surface(barycentric);
             assert!(surface.point.is_finite() && (surface.normal.length() - 1.0).abs() < 1e-12);

@@ -117,7 +117,13 @@ impl Bsp {
     /// Which children the ray reaches inside a node, and where. Each child's side of the plane is grown by the tolerance.
     /// NaN, from 0 times infinity, keeps a child in.
     #[inline]
-    fn cross(&self, walker: &Walker, id: u32, node: &BspNode, inside: Interval) -> PlaneCrossing {
+    pub fn cross(
+        &self,
+        walker: &Walker,
+        id: u32,
+        node: &BspNode,
+        inside: Interval,
+    ) -> PlaneCrossing {
         let (s, climb, inverse) = if node.plane < 3 {
             let axis = node.plane as usize;
             let s = walker.origin[axis] - node.d;

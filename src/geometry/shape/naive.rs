@@ -4,9 +4,10 @@
 //! stands on tests that are backward stable; these are not, so accelerators may differ where such shapes are hit near
 //! an edge. They still end, and never panic.
 
-use super::Shape;
+use super::{Body, Shape};
 use crate::geometry::arithmetic::{
-    Arithmetic, Offset, Precision, Quadratic, TriangleTest, flat, real, sphere, triangle,
+    Arithmetic, Offset, Precision, Quadratic, TriangleTest, flat, quartic as fourth, real, sphere,
+    triangle,
 };
 use crate::geometry::{Aabb, Intersection, Shear, SurfacePoint};
 use crate::math::rounding::gamma;
@@ -26,6 +27,7 @@ pub struct Naive {
 
 impl Naive {
     /// Where the ray first crosses the shape inside the interval, as the chosen arithmetic finds it.
+    #[inline(never)]
     pub fn intersect(&self, ray: &Ray, shear: &Shear, interval: Interval) -> Intersection {
         self.intersect_shape(&self.shape, ray, shear, interval)
     }
@@ -79,14 +81,30 @@ impl Naive {
                 let ray = transformed.transform.ray_to_object(ray);
                 self.intersect_shape(&transformed.shape, &ray, &Shear::new(&ray), interval)
             }
+            (Shape::Body(body), _) => self.intersect_body(body, ray, interval),
             (other, _) => other.intersect(ray, shear, interval),
+        }
+    }
+
+    /// Bodies are tested in double precision always.
+    fn intersect_body(&self, body: &Body, ray: &Ray, interval: Interval) -> Intersection {
+        let Arithmetic {
+            quadratic, quartic, ..
+        } = self.arithmetic;
+        match (body, quadratic) {
+            (Body::Quadric(own), Quadratic::Naive) => own.school_intersect(ray, interval),
+            (Body::BoxedQuadric(own), Quadratic::Naive) => own.school_intersect(ray, interval),
+            (Body::Torus(own), _) => fourth::torus(own, ray, quartic).first(interval),
+            (Body::Quartic(own), _) => fourth::quartic(own, ray, quartic).first(interval),
+            (other, _) => other.intersect(ray, interval),
         }
     }
 
     /// The point at which the ray crosses the shape. Its error is what [`crate::math::rounding::offset_origin`] makes
     /// the chosen offset of, and only with the bounded offset a bound.
-    pub fn surface(&self, ray: &Ray, t: f64, barycentric: [f64; 3]) -> SurfacePoint {
-        let mut surface = self.shape.surface(ray, t, barycentric);
+    #[inline(never)]
+    pub fn surface(&self, ray: &Ray, t: f64, place: [f64; 3], part: u32) -> SurfacePoint {
+        let mut surface = self.shape.surface(ray, t, place, part);
         let single = self.arithmetic.precision == Precision::Single;
         if self.arithmetic.offset != Offset::Bounded {
             surface.point = if single {

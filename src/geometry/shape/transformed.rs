@@ -21,16 +21,27 @@ impl Transformed {
     }
 
     /// See [`Shape::enters`].
+    #[inline(never)]
     pub fn enters(&self, ray: &Ray, t: f64) -> Option<bool> {
         let ray = self.transform.ray_to_object(ray);
         self.shape.enters(&ray, &Shear::new(&ray), t)
     }
 
-    /// The point at `t`. The next test takes the way back as well: the inverse is only known as well as the transform is
-    /// conditioned, and a turn brings the error of each axis to all others.
-    pub fn surface(&self, ray: &Ray, t: f64, barycentric: [f64; 3]) -> SurfacePoint {
+    /// The point at `t`.
+    pub fn surface(&self, ray: &Ray, t: f64, place: [f64; 3], part: u32) -> SurfacePoint {
         let ray = self.transform.ray_to_object(ray);
-        let local = self.shape.surface(&ray, t, barycentric);
+        self.in_world(self.shape.surface(&ray, t, place, part))
+    }
+
+    /// See [`Shape::bare_surface`].
+    pub fn bare_surface(&self, ray: &Ray, t: f64, part: u32) -> SurfacePoint {
+        let ray = self.transform.ray_to_object(ray);
+        self.in_world(self.shape.bare_surface(&ray, t, part))
+    }
+
+    /// A point of the shape in the world. The next test takes the way back as well: the inverse is only known as well as the
+    /// transform is conditioned, and a turn brings the error of each axis to all others.
+    fn in_world(&self, local: SurfacePoint) -> SurfacePoint {
         let error = self.transform.point_error(local.point, local.error);
         let there_and_back = 1.0 + 2.0 * self.transform.condition();
         SurfacePoint {

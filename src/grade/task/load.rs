@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::ask::Ask;
 use super::error::TaskError;
-use super::parse::{bend, beside, names, read, set, tolerances};
+use super::parse::{bend, beside, names, parse, read, set, tolerances};
 use super::pictures::BentPictures;
 use super::scene::{MAX_PIXELS, TaskScene, reference};
 use super::steady::{self, draw};
@@ -14,13 +14,28 @@ use crate::accel::fastest;
 use crate::grade::attempts::Attempts;
 use crate::grade::tolerance::Tolerances;
 use crate::scene::effects::effects;
-use crate::scene::{Bend, Bends, load};
+use crate::scene::{Bend, Bends, Scene, load};
 use crate::trace::facts::PixelFacts;
 use crate::trace::query::unknown_names;
 use crate::world::World;
 
 /// Checks of a task at most.
 const MAX_CHECKS: usize = 1000;
+
+/// What reads a scene by the name that a task has for it: as `raytree view` takes it, and the scene.
+pub type SceneReader<'a> = &'a dyn Fn(&str) -> Result<(String, Scene), TaskError>;
+
+/// Reads scenes beside a task on the disk, and built-in ones.
+fn on_disk(task: &str) -> impl Fn(&str) -> Result<(String, Scene), TaskError> {
+    move |name| {
+        let path = beside(task, name).map_err(|what| TaskError::Task {
+            file: task.to_owned(),
+            what,
+        })?;
+        let scene = load(&path)?;
+        Ok((path, scene))
+    }
+}
 
 /// A task.
 #[derive(Clone)]
@@ -102,13 +117,27 @@ impl Task {
     /// Reads a task and traces its references, on the threads of the present pool.
     pub fn load(path: &str) -> Result<Self, TaskError> {
         let (file, text) = read(path)?;
-        Self::new(path, &file, &text, Bends::default())
+        Self::new(path, &file, &text, Bends::default(), &on_disk(path))
+    }
+
+    /// The task in a text, whose scenes come from elsewhere: by the name that the task has for them.
+    pub fn of_text(
+        path: &str,
+        text: &str,
+        bends: Bends,
+        scenes: SceneReader,
+    ) -> Result<Self, TaskError> {
+        let file = parse(text).map_err(|what| TaskError::Task {
+            file: path.to_owned(),
+            what,
+        })?;
+        Self::new(path, &file, text, bends, scenes)
     }
 
     /// The task with references of one who makes a mistake, for those that count as right, and for the self-test.
     pub fn bent(path: &str, bends: Bends) -> Result<Self, TaskError> {
         let (file, text) = read(path)?;
-        Self::new(path, &file, &text, bends)
+        Self::new(path, &file, &text, bends, &on_disk(path))
     }
 
     /// The pixels that are asked, a line each: the scene's name, the column and the row.
@@ -137,7 +166,13 @@ impl Task {
             .collect()
     }
 
-    fn new(path: &str, file: &TaskFile, text: &str, bends: Bends) -> Result<Self, TaskError> {
+    fn new(
+        path: &str,
+        file: &TaskFile,
+        text: &str,
+        bends: Bends,
+        scenes: SceneReader,
+    ) -> Result<Self, TaskError> {
         let wrong = |what: String| TaskError::Task {
             file: path.to_owned(),
             what,
@@ -168,7 +203,7 @@ impl Task {
             )));
         }
         for check in &file.checks {
-            let scene = task.scene(path, file, check)?;
+            let scene = task.scene(path, file, check, scenes)?;
             let check = task
                 .check(check, scene, bends)
                 .map_err(|what| wrong(format!("check `{}`: {what}", check.id)))?;
@@ -183,6 +218,7 @@ impl Task {
         path: &str,
         file: &TaskFile,
         check: &CheckFile,
+        scenes: SceneReader,
     ) -> Result<usize, TaskError> {
         let label = if check.without.is_empty() {
             check.scene.clone()
@@ -196,8 +232,10 @@ impl Task {
             file: path.to_owned(),
             what: format!("check `{}`: {what}", check.id),
         };
-        let scene_path = beside(path, &check.scene).map_err(wrong)?;
-        let scene = load(&scene_path)?;
+        let (scene_path, scene) = scenes(&check.scene).map_err(|error| match error {
+            TaskError::Task { what, .. } => wrong(what),
+            error @ TaskError::Scene(_) => error,
+        })?;
         let mut settings = scene.settings;
         settings.effects = effects(&scene);
         let size = file

@@ -46,7 +46,7 @@ pub fn parse(text: &str) -> Result<TaskFile, String> {
     }
     toml::from_str(text).map_err(|e| {
         let line = e.span().map_or(1, |span| {
-            text[..span.start.min(text.len())].lines().count().max(1)
+            text[..span.start.min(text.len())].matches('\n').count() + 1
         });
         let message = e.message().replace('\n', ", ");
         format!("line {line}: {}", explained(&message))

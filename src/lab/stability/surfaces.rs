@@ -75,10 +75,10 @@ fn met(chance: &mut Chance, center: DVec3) -> (Triangle, Ray) {
 
 /// The ray that leaves the surface where `ray` meets it, to the side that `turned` chooses.
 fn leaving(shape: &Shape, ray: &Ray, direction: DVec3) -> Option<Ray> {
-    let Intersection::Hit { t, barycentric } = meet(shape, ray) else {
+    let Intersection::Hit { t, place, part } = meet(shape, ray) else {
         return None;
     };
-    let at = shape.surface(ray, t, barycentric);
+    let at = shape.surface(ray, t, place, part);
     let origin = offset_origin(at.point, at.error, at.normal, direction);
     Some(Ray::new(origin, direction))
 }

@@ -8,7 +8,9 @@ use crate::shading::{LightKind, Material};
 
 /// Warns if some object shows nothing but light that falls on it, and none does.
 pub fn nothing_shines(scene: &Scene, path: &FieldPath, warnings: &mut Warnings) {
-    let material = |object: usize| &scene.materials[scene.objects[object].material as usize];
+    let any = |object: usize, is: &dyn Fn(&Material) -> bool| {
+        scene.materials_of(&scene.objects[object]).any(is)
+    };
     let lit = scene
         .lights
         .iter()
@@ -18,11 +20,11 @@ pub fn nothing_shines(scene: &Scene, path: &FieldPath, warnings: &mut Warnings) 
         !(m.ambient * scene.ambient).is_black() || !(checker * scene.ambient).is_black()
     };
     let all = 0..scene.objects.len();
-    if lit || all.clone().any(|o| ambient(material(o))) {
+    if lit || all.clone().any(|o| any(o, &ambient)) {
         return;
     }
     let shows_only_light = |m: &Material| m.shows_lights() && !m.sends_rays() && !m.is_emissive();
-    let mut black = all.clone().filter(|o| shows_only_light(material(*o)));
+    let mut black = all.clone().filter(|o| any(*o, &shows_only_light));
     let Some(first) = black.next() else {
         return;
     };
@@ -32,7 +34,7 @@ pub fn nothing_shines(scene: &Scene, path: &FieldPath, warnings: &mut Warnings) 
         n => format!(" and {n} more"),
     };
     let what = format!("no light falls on `{name}`{more}: there is no light and no ambient light");
-    let cure = if let Some(lamp) = all.clone().find(|o| material(*o).is_emissive()) {
+    let cure = if let Some(lamp) = all.clone().find(|o| any(*o, &Material::is_emissive)) {
         let name = &scene.objects[lamp].name;
         format!(
             "what shines by itself lights nothing until it is a light: {{\"area\": {{\"name\": \"lamp\", \"object\": \"{name}\"}}}}"
@@ -56,10 +58,7 @@ pub fn of_no_use(scene: &Scene, path: &FieldPath, warnings: &mut Warnings) {
             warnings.add(WarningCode::LightOfNoUse, path.index(i).error(what, cure));
         }
     }
-    let mut used = scene
-        .objects
-        .iter()
-        .map(|o| &scene.materials[o.material as usize]);
+    let mut used = scene.objects.iter().flat_map(|o| scene.materials_of(o));
     if !scene.lights.is_empty() && !scene.objects.is_empty() && !used.any(Material::shows_lights) {
         let what = "no object shows the lights: no material has `diffuse` or `specular`";
         let cure = "give a material `diffuse`, or leave the lights out";

@@ -71,6 +71,108 @@ pub enum FlatObject {
         /// The material's name.
         material: String,
     },
+    /// A flat polygon. A point of its plane is inside if a way from there to infinity, in the plane, crosses an odd number of edges.
+    Polygon {
+        /// The object's name.
+        name: String,
+        /// Its number within the object, from 0.
+        primitive: u32,
+        /// Loops of corners, each closed by an edge from the last to the first. The first is the rim, the others are holes; its front
+        /// is the side from which the rim runs counter-clockwise.
+        loops: Vec<Vec<Triple>>,
+        /// If the material has a checker: the unit vectors along which u and v are metres from the first corner.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        axes: Option<[Triple; 2]>,
+        /// The material's name.
+        material: String,
+    },
+    /// The points inside a box with A x^2 + B y^2 + C z^2 + D x y + E x z + F y z + G x + H y + I z + J <= 0: cylinders, cones, paraboloids,
+    /// hyperboloids and others, in their own space.
+    Quadric {
+        /// The object's name.
+        name: String,
+        /// A to J.
+        coefficients: [f64; 10],
+        /// The corner of the box with the smallest coordinates.
+        min: Triple,
+        /// The corner with the largest.
+        max: Triple,
+        /// True if the faces of the box do not close it: only the curved wall is there.
+        open: bool,
+        /// The way from its own space to the world, as for a box.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        to_world: Option<[f64; 12]>,
+        /// The material's name.
+        material: String,
+    },
+    /// A torus around the origin of its own space, with its axis along y.
+    Torus {
+        /// The object's name.
+        name: String,
+        /// The radius of the ring.
+        major: f64,
+        /// The radius of the tube.
+        minor: f64,
+        /// The way from its own space to the world, as for a box.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        to_world: Option<[f64; 12]>,
+        /// The material's name.
+        material: String,
+    },
+    /// The points inside a box where a polynomial of the fourth degree is at most 0.
+    Quartic {
+        /// The object's name.
+        name: String,
+        /// The 35 coefficients, of x^4, x^3 y, x^3 z, x^3, x^2 y^2, ... z and 1, as in scene files.
+        coefficients: Vec<f64>,
+        /// The corner of the box with the smallest coordinates.
+        min: Triple,
+        /// The corner with the largest.
+        max: Triple,
+        /// The way from its own space to the world, as for a box.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        to_world: Option<[f64; 12]>,
+        /// The material's name.
+        material: String,
+    },
+    /// A Bezier patch. Its front is the side that S_u x S_v points to.
+    Bezier {
+        /// The object's name.
+        name: String,
+        /// Its number within the object, from 0.
+        primitive: u32,
+        /// Rows of points along u.
+        points: Vec<Vec<Triple>>,
+        /// The weights of the points.
+        weights: Vec<Vec<f64>>,
+        /// u and v of the whole surface at its first corner and at its last.
+        range: [[f64; 2]; 2],
+        /// The material's name.
+        material: String,
+    },
+    /// A convex solid, as a closed mesh: a part of a `csg`.
+    Polyhedron {
+        /// The part's name.
+        name: String,
+        /// Points.
+        vertices: Vec<Triple>,
+        /// Triples of numbers of points, counted from 0.
+        triangles: Vec<[u32; 3]>,
+        /// The material's name.
+        material: String,
+    },
+    /// A solid that is cut from others. Of its parts a plane is all that lies behind it. A face that a part cuts has the material of
+    /// the part.
+    Csg {
+        /// The object's name.
+        name: String,
+        /// `union`, `intersection` or `difference` (the first part without all others).
+        op: String,
+        /// The parts.
+        parts: Vec<FlatObject>,
+        /// The material's name.
+        material: String,
+    },
     /// A disc.
     Disc {
         /// The object's name.
@@ -101,6 +203,13 @@ impl FlatObject {
             | Self::Sphere { name, .. }
             | Self::Plane { name, .. }
             | Self::Box { name, .. }
+            | Self::Quadric { name, .. }
+            | Self::Torus { name, .. }
+            | Self::Bezier { name, .. }
+            | Self::Quartic { name, .. }
+            | Self::Polyhedron { name, .. }
+            | Self::Csg { name, .. }
+            | Self::Polygon { name, .. }
             | Self::Disc { name, .. } => name,
         }
     }

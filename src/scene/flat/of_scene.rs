@@ -1,10 +1,13 @@
 //! From a scene to its flat form.
 
+mod csg;
+
+use super::body::{of_body, rows};
 use super::{
     FlatCamera, FlatChecker, FlatFormat, FlatLight, FlatMaterial, FlatObject, FlatScene,
     FlatSettings,
 };
-use crate::geometry::Shape;
+use crate::geometry::{Body, Polygon, Shape, SurfacePatch};
 use crate::math::{DVec3, Frame, Transform};
 use crate::scene::file::Triple;
 use crate::scene::{Object, Scene};
@@ -43,7 +46,9 @@ pub fn head(scene: &Scene) -> FlatScene {
 pub fn objects(scene: &Scene) -> impl Iterator<Item = FlatObject> {
     (0..scene.shapes.len() as u32).map(|primitive| {
         let about = About {
+            scene,
             object: scene.object_of(primitive),
+            name: &scene.object_of(primitive).name,
             material: scene.material_of(primitive),
             local: scene.local_index(primitive),
         };
@@ -129,7 +134,10 @@ pub fn shining(scene: &Scene, area: &Area) -> Option<u32> {
 
 /// What a shape belongs to.
 struct About<'s> {
+    scene: &'s Scene,
     object: &'s Object,
+    /// The name of the object, or of a part of it.
+    name: &'s str,
     material: &'s Material,
     /// Its number within the object.
     local: u32,
@@ -138,7 +146,7 @@ struct About<'s> {
 impl About<'_> {
     /// A shape, in its own space if there is a way `to_world` from there that it does not survive.
     fn shape(&self, shape: &Shape, to_world: Option<&Transform>) -> FlatObject {
-        let name = self.object.name.clone();
+        let name = self.name.to_owned();
         let material = self.material.name.clone();
         match shape {
             Shape::Triangle(triangle) => FlatObject::Triangle {
@@ -173,6 +181,18 @@ impl About<'_> {
                 max: cuboid.bounds.max.to_array(),
                 to_world: to_world.map(rows),
                 material,
+            },
+            Shape::Polygon(polygon) => FlatObject::Polygon {
+                name,
+                primitive: self.local,
+                loops: loops(polygon),
+                axes: self.axes(&Frame::around(polygon.normal())),
+                material,
+            },
+            Shape::Patch(patch) => of_patch(patch, name, self.local, material),
+            Shape::Body(body) => match &**body {
+                Body::Csg(csg) => self.csg(csg),
+                body => of_body(body, name, material, to_world),
             },
             Shape::Disc(disc) => FlatObject::Disc {
                 name,
@@ -216,12 +236,22 @@ fn carried(point: DVec3, to_world: Option<&Transform>) -> DVec3 {
     to_world.map_or(point, |map| map.point(point))
 }
 
-/// The three rows of a transform: each coordinate in the world as factors of x, y and z, and a number that is added.
-fn rows(transform: &Transform) -> [f64; 12] {
-    let map = transform.to_world();
-    let [x, y, z] = map.matrix3.transpose().to_cols_array_2d();
-    let [a, b, c] = map.translation.to_array();
-    [
-        x[0], x[1], x[2], a, y[0], y[1], y[2], b, z[0], z[1], z[2], c,
-    ]
+fn loops(polygon: &Polygon) -> Vec<Vec<Triple>> {
+    let corners = |corners: &[DVec3]| corners.iter().map(DVec3::to_array).collect();
+    polygon.loops().map(corners).collect()
+}
+
+/// A leaf of a parametric surface, number `primitive` of its object.
+fn of_patch(patch: &SurfacePatch, name: String, primitive: u32, material: String) -> FlatObject {
+    let width = patch.degree()[0] + 1;
+    let (points, weights): (Vec<DVec3>, Vec<f64>) = patch.control_points().unzip();
+    let row = |row: &[DVec3]| row.iter().map(DVec3::to_array).collect();
+    FlatObject::Bezier {
+        name,
+        primitive,
+        points: points.chunks(width).map(row).collect(),
+        weights: weights.chunks(width).map(<[f64]>::to_vec).collect(),
+        range: patch.range(),
+        material,
+    }
 }

@@ -11,18 +11,27 @@ use crate::geometry::Shape;
 use crate::math::Rgb;
 use crate::scene::Scene;
 use crate::scene::error::{Problem, SceneError};
+use crate::scene::file::Triple;
 use crate::scene::printable::is_printable;
 
 /// An error if the text form cannot say the scene. A shape that was stretched or turned takes a way to the world, and a program
-/// that passes over it would draw something else.
+/// that passes over it would draw something else. Solids of more than a few numbers are said in JSON only.
 pub fn check_text(scene: &Scene) -> Result<(), SceneError> {
-    let is_moved = |shape: &Shape| matches!(shape, Shape::Transformed(_));
-    let Some(primitive) = scene.shapes.iter().position(is_moved) else {
+    let problem = |shape: &Shape| match shape.plain() {
+        Shape::Body(_) | Shape::Patch(_) => Some(format!("is a {}", shape.kind())),
+        Shape::Transformed(moved) => Some(match &moved.shape {
+            Shape::Body(body) => format!("is a {}", body.kind()),
+            _ => "was stretched or turned".to_owned(),
+        }),
+        _ => None,
+    };
+    let mut all = scene.shapes.iter().map(problem).zip(0..);
+    let Some((problem, primitive)) = all.find_map(|(p, i)| Some((p?, i))) else {
         return Ok(());
     };
-    let name = &scene.object_of(primitive as u32).name;
+    let name = &scene.object_of(primitive).name;
     let problem = Problem::new(
-        format!("`{name}` was stretched or turned, which the text form cannot say"),
+        format!("`{name}` {problem}, which the text form cannot say"),
         "take the JSON form (`--flat`), or leave out the object or its transform",
     );
     Err(problem.in_file(&scene.name))
@@ -225,6 +234,13 @@ fn of_object(object: &FlatObject) -> String {
             .numbers(*min)
             .numbers(*max)
             .word(material),
+        FlatObject::Polygon {
+            name,
+            loops,
+            axes,
+            material,
+            ..
+        } => of_loops(name, loops).word(material).tagged("axes", *axes),
         FlatObject::Disc {
             name,
             center,
@@ -239,6 +255,17 @@ fn of_object(object: &FlatObject) -> String {
             .numbers([*radius])
             .word(material)
             .tagged("axes", *axes),
+        // `check_text` refuses all others.
+        other => Line::named("solid", other.name()),
     };
     line.0
+}
+
+/// `polygon NAME loops`, then for each loop the number of its corners and these.
+fn of_loops(name: &str, loops: &[Vec<Triple>]) -> Line {
+    let line = Line::named("polygon", name).numbers([loops.len() as f64]);
+    loops.iter().fold(line, |line, corners| {
+        line.numbers([corners.len() as f64])
+            .numbers(corners.iter().copied().flatten())
+    })
 }

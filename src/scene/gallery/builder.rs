@@ -24,6 +24,7 @@ impl SceneBuilder {
             materials: Vec::new(),
             lights: Vec::new(),
             objects: Vec::new(),
+            frames: Vec::new(),
             shapes: Vec::new(),
             owners: Vec::new(),
             settings,
@@ -65,6 +66,8 @@ impl SceneBuilder {
             first_primitive: self.scene.shapes.len() as u32,
             mirrored: false,
             vertices: None,
+            leaves: Vec::new(),
+            frame: None,
         });
     }
 

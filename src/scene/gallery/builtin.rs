@@ -1,7 +1,7 @@
 //! Scene files and models inside the program.
 
 /// Name and text of each scene, in the order in which they are listed.
-const SCENES: [(&str, &str); 11] = [
+const SCENES: [(&str, &str); 17] = [
     ("whitted", include_str!("../../../scenes/whitted.json")),
     ("triangle", include_str!("../../../scenes/triangle.json")),
     ("mirrors", include_str!("../../../scenes/mirrors.json")),
@@ -22,6 +22,15 @@ const SCENES: [(&str, &str); 11] = [
         include_str!("../../../scenes/soft-shadow.json"),
     ),
     ("lamps", include_str!("../../../scenes/lamps.json")),
+    ("polygons", include_str!("../../../scenes/polygons.json")),
+    ("quadrics", include_str!("../../../scenes/quadrics.json")),
+    ("torus", include_str!("../../../scenes/torus.json")),
+    ("csg", include_str!("../../../scenes/csg.json")),
+    (
+        "teapot-patches",
+        include_str!("../../../scenes/teapot-patches.json"),
+    ),
+    ("solar", include_str!("../../../scenes/solar.json")),
 ];
 
 /// Name and text of each model.

@@ -54,6 +54,7 @@ fn scene_file(name: &str, file: &str) -> SceneFile {
         background: Rgb::new(0.35, 0.45, 0.6),
         ambient: Rgb::grey(0.25),
         materials: BTreeMap::new(),
+        parts: BTreeMap::new(),
         lights: vec![LightFile::Directional(DirectionalFile {
             name: "key".to_string(),
             note: None,

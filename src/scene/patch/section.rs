@@ -19,6 +19,7 @@ pub enum Section {
     Materials,
     Lights,
     Objects,
+    Parts,
 }
 
 /// Something with a name.
@@ -31,13 +32,14 @@ pub struct Element {
 
 impl Section {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Camera,
         Self::Background,
         Self::Ambient,
         Self::Materials,
         Self::Lights,
         Self::Objects,
+        Self::Parts,
     ];
 
     /// Its key in the file.
@@ -46,6 +48,7 @@ impl Section {
             Self::Materials => "materials",
             Self::Lights => "lights",
             Self::Objects => "objects",
+            Self::Parts => "parts",
             _ => self.singular(),
         }
     }
@@ -59,12 +62,16 @@ impl Section {
             Self::Materials => "material",
             Self::Lights => "light",
             Self::Objects => "object",
+            Self::Parts => "part",
         }
     }
 
     /// Whether its things have names.
     pub fn has_names(self) -> bool {
-        matches!(self, Self::Materials | Self::Lights | Self::Objects)
+        matches!(
+            self,
+            Self::Materials | Self::Lights | Self::Objects | Self::Parts
+        )
     }
 
     /// The section that is called so.
@@ -106,10 +113,13 @@ impl Section {
                 "change the name in the scene file",
             ));
         }
-        if self == Self::Objects && fields.contains_key("objects") {
+        if matches!(self, Self::Objects | Self::Parts) && fields.contains_key("objects") {
             return Err(Problem::new(
                 format!("the parts of `{what}` are changed one by one"),
-                format!("name the part, as in object.{what}/PART.FIELD=VALUE"),
+                format!(
+                    "name the part, as in {}.{what}/PART.FIELD=VALUE",
+                    self.singular()
+                ),
             ));
         }
         Ok(())
@@ -120,18 +130,24 @@ impl Section {
 pub fn elements(scene: &Value, section: Section) -> Vec<Element> {
     let all = &scene[section.key()];
     let mut found = Vec::new();
-    if let Value::Object(named) = all {
+    if let (Section::Parts, Value::Object(parts)) = (section, all) {
+        for (name, objects) in parts {
+            let at = format!("/{}/{}", section.key(), escaped(name));
+            listed(objects, &format!("{name}/"), &at, &mut found);
+        }
+    } else if let Value::Object(named) = all {
         found.extend(named.keys().map(|name| Element {
             name: name.clone(),
-            pointer: format!(
-                "/{}/{}",
-                section.key(),
-                name.replace('~', "~0").replace('/', "~1")
-            ),
+            pointer: format!("/{}/{}", section.key(), escaped(name)),
         }));
     }
     listed(all, "", &format!("/{}", section.key()), &mut found);
     found
+}
+
+/// A name in a JSON pointer.
+fn escaped(name: &str) -> String {
+    name.replace('~', "~0").replace('/', "~1")
 }
 
 /// Adds the elements of a list, and of the groups in it.

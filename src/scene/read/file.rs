@@ -3,6 +3,7 @@
 //! Kinds are told by a key, as in `{"sphere": {"name": ...}}`: then an error inside has an exact path, such as
 //! `objects[3].sphere.radius`. Every object may carry a `note`, which says what it is there for and changes nothing.
 
+mod common;
 mod expected;
 mod light;
 mod material;
@@ -11,6 +12,7 @@ mod other_format;
 mod parse;
 mod settings;
 mod shape;
+mod solid;
 mod syntax;
 mod transform;
 
@@ -19,14 +21,19 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub use common::Common;
 pub use light::{AreaFile, DirectionalFile, LightFile, PointFile, SpotFile};
 pub use material::{CheckerFile, MaterialFile};
 pub use object::{
-    BoxFile, Common, DiscFile, GroupFile, MeshFile, ObjFile, ObjectFile, PlaneFile, QuadFile,
-    SphereFile, TriangleFile,
+    BezierFile, DiscFile, GroupFile, MeshFile, NurbsFile, ObjFile, ObjectFile, PolygonFile,
+    QuadFile, TriangleFile, UseFile,
 };
 pub use parse::parse;
 pub use settings::SettingsFile;
+pub use solid::{
+    BoxFile, ConeFile, ConvexFile, CsgFile, CsgOpFile, CsgPartFile, CylinderFile, EllipsoidFile,
+    HyperboloidFile, ParaboloidFile, PlaneFile, QuadricFile, QuarticFile, SphereFile, TorusFile,
+};
 pub use transform::{RotateFile, ScaleFile, TransformStep};
 
 use crate::math::Rgb;
@@ -55,6 +62,9 @@ pub struct SceneFile {
     /// Materials by name.
     #[serde(default, deserialize_with = "parse::map_without_duplicates")]
     pub materials: BTreeMap<String, Box<MaterialFile>>,
+    /// Objects by the name of the part that they are: a part is seen where an object `use`s it, any number of times.
+    #[serde(default, deserialize_with = "parse::map_without_duplicates")]
+    pub parts: BTreeMap<String, Vec<ObjectFile>>,
     /// Lights.
     #[serde(default)]
     pub lights: Vec<LightFile>,

@@ -4,7 +4,6 @@
 //! and note what is left out or guessed; only a broken point, an index of no point, and a file without faces are refused.
 
 mod check;
-mod cut;
 mod library;
 mod mended;
 mod mtl;

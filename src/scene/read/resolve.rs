@@ -4,17 +4,23 @@
 
 mod camera;
 mod checks;
+mod csg;
 mod header;
 mod light;
 mod material;
 mod mesh;
 mod model;
 mod objects;
+mod part_list;
+mod patches;
+mod polygons;
 mod resolver;
 mod settings;
 mod shapes;
+mod solids;
 mod surface;
 mod transform;
+mod uses;
 
 use std::collections::HashMap;
 
@@ -28,6 +34,7 @@ use camera::camera;
 use checks::color;
 use header::Group;
 use material::material;
+use part_list::PartList;
 use resolver::Resolver;
 use settings::settings;
 
@@ -45,6 +52,7 @@ pub fn resolve(mut file: SceneFile, label: &str, files: Files) -> Result<Scene, 
             materials: Vec::with_capacity(file.materials.len()),
             lights: Vec::with_capacity(file.lights.len()),
             objects: Vec::new(),
+            frames: Vec::new(),
             shapes: Vec::new(),
             owners: Vec::new(),
             settings: settings(&file.settings, &path.key("settings"))?,
@@ -54,6 +62,7 @@ pub fn resolve(mut file: SceneFile, label: &str, files: Files) -> Result<Scene, 
         },
         objects: HashMap::new(),
         materials: HashMap::new(),
+        placed: 0,
         files,
         warnings: Warnings::default(),
     };
@@ -66,7 +75,9 @@ pub fn resolve(mut file: SceneFile, label: &str, files: Files) -> Result<Scene, 
         check::material(&material, &path, &mut resolver.warnings);
         resolver.add_material(material);
     }
-    resolver.add_objects(&file.objects, &Group::default(), &path.key("objects"))?;
+    let parts = PartList::new(&file.parts, path.key("parts"))?;
+    resolver.add_objects(&file.objects, &Group::world(&parts), &path.key("objects"))?;
+    parts.warn_of_unused(&mut resolver.warnings);
     resolver.add_lights(&file.lights, &path.key("lights"))?;
     check::scene(&resolver.scene, &path, &mut resolver.warnings);
     Ok(resolver.finish())

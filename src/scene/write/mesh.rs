@@ -19,6 +19,12 @@ struct MeshCorner {
 pub fn mesh(object: &Object, shapes: &[Shape], fields: Fields) -> Option<String> {
     let mut triangles = Vec::with_capacity(shapes.len());
     let smooth = is_smooth(object);
+    if shapes
+        .iter()
+        .any(|s| matches!(s.plain(), Shape::Polygon(_)))
+    {
+        return with_faces(shapes, fields);
+    }
     for (number, shape) in shapes.iter().enumerate() {
         let Shape::Triangle(triangle) = shape.plain() else {
             return None;
@@ -54,6 +60,33 @@ pub fn mesh(object: &Object, shapes: &[Shape], fields: Fields) -> Option<String>
     if object.mirrored {
         fields = fields.raw("transform", "[{\"scale\": [-1, 1, 1]}]");
     }
+    Some(fields.kind("mesh"))
+}
+
+/// A mesh with faces of any number of corners: none of its corners carries more than a point.
+fn with_faces(shapes: &[Shape], fields: Fields) -> Option<String> {
+    let mut vertices: Vec<[f64; 3]> = Vec::new();
+    let (mut triangles, mut polygons) = (Vec::new(), Vec::new());
+    for shape in shapes {
+        let first = vertices.len();
+        let faces = match shape.plain() {
+            Shape::Triangle(triangle) => {
+                vertices.extend(triangle.corners.map(|c| c.to_array()));
+                &mut triangles
+            }
+            Shape::Polygon(polygon) => {
+                vertices.extend(polygon.loops().flatten().map(DVec3::to_array));
+                &mut polygons
+            }
+            _ => return None,
+        };
+        let numbers: Vec<String> = (first..vertices.len()).map(|i| i.to_string()).collect();
+        faces.push(format!("[{}]", numbers.join(", ")));
+    }
+    let fields = fields
+        .rows("vertices", &vertices)
+        .raw("triangles", &format!("[{}]", triangles.join(", ")))
+        .raw("polygons", &format!("[{}]", polygons.join(", ")));
     Some(fields.kind("mesh"))
 }
 

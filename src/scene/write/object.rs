@@ -1,10 +1,13 @@
 //! Object in a scene file: one shape, or a mesh.
 
-use super::fields::{Fields, rows};
+use super::body::body;
+use super::csg::csg;
+use super::fields::Fields;
 use super::mesh::mesh;
-use crate::geometry::Shape;
-use crate::math::Transform;
-use crate::scene::Scene;
+use super::patches::patches;
+use super::solid::solid;
+use crate::geometry::{Body, Shape};
+use crate::scene::{Leaf, Scene};
 
 /// An object, or why it cannot be written.
 pub fn object(scene: &Scene, number: u32) -> Result<String, String> {
@@ -14,10 +17,14 @@ pub fn object(scene: &Scene, number: u32) -> Result<String, String> {
         .text("name", &object.name)
         .text("material", &material.name);
     let written = match scene.shapes_of(number) {
-        [shape] => solid(shape, fields.clone()).map(|(kind, fields)| fields.kind(kind)),
+        [shape] => match shape.plain() {
+            Shape::Body(own) => of_body(scene, own, &object.leaves, fields.clone()),
+            shape => solid(shape, fields.clone()).map(|(kind, fields)| fields.kind(kind)),
+        },
         _ => None,
     };
     written
+        .or_else(|| patches(scene.shapes_of(number), fields.clone()))
         .or_else(|| mesh(object, scene.shapes_of(number), fields))
         .ok_or_else(|| {
             let name = &object.name;
@@ -25,42 +32,9 @@ pub fn object(scene: &Scene, number: u32) -> Result<String, String> {
         })
 }
 
-/// The kind and the fields of a shape that is no triangle.
-fn solid(shape: &Shape, fields: Fields) -> Option<(&'static str, Fields)> {
-    Some(match shape {
-        Shape::Sphere(sphere) => {
-            let fields = fields.row("center", &sphere.center.to_array());
-            ("sphere", fields.number("radius", sphere.radius))
-        }
-        Shape::Plane(plane) => {
-            let fields = fields.row("point", &plane.origin().to_array());
-            ("plane", fields.row("normal", &plane.normal().to_array()))
-        }
-        Shape::Cuboid(cuboid) => {
-            let fields = fields.row("min", &cuboid.bounds.min.to_array());
-            ("box", fields.row("max", &cuboid.bounds.max.to_array()))
-        }
-        Shape::Disc(disc) => {
-            let fields = fields
-                .row("center", &disc.center.to_array())
-                .row("normal", &disc.frame.w.to_array());
-            ("disc", fields.number("radius", disc.radius))
-        }
-        Shape::Transformed(moved) => {
-            let (kind, fields) = solid(&moved.shape, fields)?;
-            (kind, fields.raw("transform", &matrix(&moved.transform)))
-        }
-        Shape::Naive(naive) => return solid(&naive.shape, fields),
-        Shape::Triangle(_) => return None,
-    })
-}
-
-/// The steps of a transform: one, of any affine map.
-fn matrix(transform: &Transform) -> String {
-    let map = transform.to_world();
-    let [x, y, z] = map.matrix3.transpose().to_cols_array_2d();
-    let row = |r: [f64; 3], moved: f64| [r[0], r[1], r[2], moved];
-    let moved = map.translation;
-    let all = [row(x, moved.x), row(y, moved.y), row(z, moved.z)];
-    format!("[{{\"matrix\": {}}}]", rows(&all))
+fn of_body(scene: &Scene, own: &Body, leaves: &[Leaf], fields: Fields) -> Option<String> {
+    match own {
+        Body::Csg(own) => csg(scene, own, leaves, fields).map(|fields| fields.kind("csg")),
+        own => body(own, fields).map(|(kind, fields)| fields.kind(kind)),
+    }
 }

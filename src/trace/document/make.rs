@@ -3,9 +3,9 @@
 use super::settings::settings;
 use super::step::finite;
 use super::{
-    AbsentRay, Document, DocumentCuts, FormatVersion, HitPoint, ImageSize, LightSummary,
-    MediumBoundary, PassedSurface, PixelColor, PixelIndex, PointOfLight, RayNode, RayOutcome,
-    SampleTree, SceneId, TermValue, step,
+    AbsentRay, Document, DocumentCuts, FormatVersion, GroupFrame, HitPoint, ImageSize,
+    LightSummary, MediumBoundary, PassedSurface, PixelColor, PixelIndex, PointOfLight, RayNode,
+    RayOutcome, SampleTree, SceneId, TermValue, step,
 };
 use crate::math::Rgb;
 use crate::probe::{Absence, Event, NONE, RayKind, RayRecord};
@@ -96,7 +96,7 @@ fn ray_node(view: View, id: u32, children: Vec<RayNode>) -> RayNode {
         ior: scene.medium_ior(ray.medium),
         outcome: this.outcome.map(outcome),
         passed: Vec::new(),
-        hit: hit.as_ref().map(|hit| Box::new(hit_point(hit))),
+        hit: hit.as_ref().map(|hit| Box::new(hit_point(view, hit))),
         light: light_name(view, ray.light),
         sample: sample_number(view, ray.light, ray.sample),
         light_point: this.parent.and_then(|p| light_point(view, p, ray)),
@@ -192,19 +192,26 @@ fn outcome(outcome: Outcome) -> RayOutcome {
     }
 }
 
-fn hit_point(surface: &SurfaceHit) -> HitPoint {
+fn hit_point(view: View, surface: &SurfaceHit) -> HitPoint {
     let (hit, at) = (&surface.hit, &surface.at);
+    let frames = view.world.scene.frames_of(surface.object);
+    let frames = frames.map(|frame| GroupFrame {
+        group: frame.name.clone(),
+        to_world: frame.matrix(),
+    });
     HitPoint {
         t: hit.t,
         point: at.point.to_array(),
         object: surface.object.name.clone(),
         primitive: surface.primitive,
-        barycentric: surface.object.barycentric(hit.barycentric),
+        part: surface.part.map(str::to_owned),
+        barycentric: surface.barycentric,
         uv: at.uv.to_array(),
         geometric_normal: at.geometric_normal.to_array(),
         normal: at.normal.to_array(),
         side: at.side,
         material: surface.material.name.clone(),
+        frames: frames.collect(),
     }
 }
 

@@ -124,6 +124,9 @@ pub struct HitPoint {
     pub object: String,
     /// Counted within the object, from 0.
     pub primitive: u32,
+    /// The part of the shape: the wall or a face of a cylinder, the part of a csg by its name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<String>,
     /// Weights of a triangle's corners.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub barycentric: Option<[f64; 3]>,
@@ -137,6 +140,18 @@ pub struct HitPoint {
     pub side: Side,
     /// The material's name.
     pub material: String,
+    /// The groups that the object stands in, from the innermost outwards.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub frames: Vec<GroupFrame>,
+}
+
+/// The frame of a group, or of a part where it is used.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct GroupFrame {
+    /// The group's name, with those that it stands in.
+    pub group: String,
+    /// From its coordinates to the world's: three rows of four numbers, of which the last are a translation.
+    pub to_world: [[f64; 4]; 3],
 }
 
 /// A surface that a ray went straight through.

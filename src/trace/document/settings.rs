@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::geometry::Arithmetic;
+use crate::geometry::{Arithmetic, QuarticMethod};
 use crate::sampling::{Filter, LightSampling, Sampler};
 use crate::scene::{Pilot, Sampling, Scene, Settings};
 use crate::shading::Fresnel;
@@ -78,8 +78,18 @@ pub struct ArithmeticSettings {
     pub offset: String,
     /// "naive" or "stable".
     pub quadratic: String,
+    /// "plain", "moved" or "polished".
+    #[serde(default = "ArithmeticSettings::polished")]
+    pub quartic: String,
     /// "single" or "double".
     pub precision: String,
+}
+
+impl ArithmeticSettings {
+    /// What trees from before there were tori mean.
+    fn polished() -> String {
+        QuarticMethod::default().name().to_owned()
+    }
 }
 
 /// The settings with which a scene is traced.
@@ -114,6 +124,7 @@ pub fn settings(settings: &Settings, scene: &Scene) -> DocumentSettings {
             triangle: arithmetic.triangle.name().to_owned(),
             offset: arithmetic.offset.to_string(),
             quadratic: arithmetic.quadratic.name().to_owned(),
+            quartic: arithmetic.quartic.name().to_owned(),
             precision: arithmetic.precision.name().to_owned(),
         }),
         bent: (!settings.bends.is_empty()).then(|| settings.bends.to_string()),

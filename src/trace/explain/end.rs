@@ -1,8 +1,8 @@
 //! The end of a ray: what it found, and what it brings back.
 
-use super::Explanation;
 use super::screen::to_screen;
 use super::term::weighted;
+use super::{Explanation, UNKNOWN};
 use crate::math::Rgb;
 use crate::probe::RayKind;
 use crate::trace::View;
@@ -105,18 +105,23 @@ pub fn returned(view: View, node: u32, radiance: Rgb) -> Explanation {
         };
     }
     let weight = view.sample_weight(node);
+    let is_whole = view.trace.is_whole();
+    let share = if is_whole {
+        format!("{:.1}", view.fraction(node) * 100.0)
+    } else {
+        UNKNOWN.to_owned()
+    };
     let explanation = explanation.color("radiance", radiance).row(
         "in the pixel",
         format!(
-            "{}{} x {} = {} ({:.1} % of its brightness)",
+            "{}{} x {} = {} ({share} % of its brightness)",
             weighted(weight),
             rgb(this.throughput),
             rgb(radiance),
             rgb(this.total() * weight),
-            view.fraction(node) * 100.0
         ),
     );
-    if this.parent.is_none() {
+    if this.parent.is_none() && is_whole {
         return to_screen(view, node, radiance, explanation);
     }
     explanation

@@ -1,6 +1,6 @@
 //! The samples of an area light: an estimate and its standard error.
 
-use super::Explanation;
+use super::{Explanation, UNKNOWN};
 use crate::trace::View;
 use crate::trace::format::{counted, num};
 
@@ -18,11 +18,18 @@ pub fn light_samples(view: View, node: u32, light: u32) -> Explanation {
         "samples",
         format!("{n}, chosen by the sampler `{}`", view.settings.light.sampler.name()),
     )
-    .row("lit", format!("{} of {n}", estimate.lit))
-    .row("chosen", in_proportion_to(view, node, light))
-    .row("blocked", estimate.blocked.to_string())
-    .row("not sent", format!("{}: no light comes from there", estimate.absent))
-    .color("mean", estimate.mean);
+    .row("chosen", in_proportion_to(view, node, light));
+    if !view.trace.is_whole() && !view.trace.tree.is_done(node) {
+        return explanation.row("lit", format!("{UNKNOWN} of {n}"));
+    }
+    let explanation = explanation
+        .row("lit", format!("{} of {n}", estimate.lit))
+        .row("blocked", estimate.blocked.to_string())
+        .row(
+            "not sent",
+            format!("{}: no light comes from there", estimate.absent),
+        )
+        .color("mean", estimate.mean);
     let Some(error) = estimate.standard_error else {
         return explanation;
     };

@@ -1,6 +1,6 @@
 //! Rays: where they come from, and why they are sent.
 
-use super::Explanation;
+use super::{Explanation, UNKNOWN};
 use crate::probe::{Event, RayKind, RayRecord};
 use crate::trace::format::{degrees, num, vec3};
 use crate::trace::{SurfaceHit, View};
@@ -18,8 +18,24 @@ pub fn sample(view: View, index: u32, [x, y]: [f64; 2], weight: f64) -> Explanat
     } else {
         ""
     };
+    let is_whole = view.trace.is_whole();
+    let samples = if is_whole {
+        view.trace.pixel.samples.to_string()
+    } else {
+        UNKNOWN.to_owned()
+    };
+    // While the direction of the eye ray is asked for, near the middle of the picture these numbers would be it.
+    let mut sent = view.trace.tree.samples.iter();
+    let is_sent = sent.any(|sample| sample.index == index && sample.root.is_some());
+    let told = |x: f64| {
+        if is_whole || is_sent {
+            num(x)
+        } else {
+            UNKNOWN.to_owned()
+        }
+    };
     Explanation::new(
-        format!("sample {} of {}", index + 1, view.trace.pixel.samples),
+        format!("sample {} of {samples}", index + 1),
         format!(
             "The film point ({}, {}) of the {width} x {height} picture decides where the eye ray goes.{pilot}",
             num(x),
@@ -30,12 +46,12 @@ pub fn sample(view: View, index: u32, [x, y]: [f64; 2], weight: f64) -> Explanat
         "right",
         format!(
             "(2x/width - 1) tan(fov/2) width/height = {}",
-            num((2.0 * x / w - 1.0) * tan * w / h)
+            told((2.0 * x / w - 1.0) * tan * w / h)
         ),
     )
     .row(
         "up",
-        format!("(1 - 2y/height) tan(fov/2) = {}", num((1.0 - 2.0 * y / h) * tan)),
+        format!("(1 - 2y/height) tan(fov/2) = {}", told((1.0 - 2.0 * y / h) * tan)),
     )
     .row("u", vec3(camera.frame.u))
     .row("v", vec3(camera.frame.v))

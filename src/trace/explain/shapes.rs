@@ -1,26 +1,30 @@
 //! The arithmetic of a ray's test against a shape: from the numbers of the shape and of the ray to each crossing.
 
-use super::Explanation;
-use crate::geometry::{Cuboid, Disc, Plane, Shape, Shear, Sphere, Triangle};
+use super::{Explanation, bodies, patches};
+use crate::geometry::{Cuboid, Disc, Plane, Polygon, Shape, Shear, Sphere, Triangle};
 use crate::math::{DVec3, Ray};
+use crate::scene::Leaf;
 use crate::trace::format::{num, vec3};
 
-/// Adds the arithmetic of a test. A shape in a space of its own is tested there.
-pub fn add(explanation: Explanation, shape: &Shape, ray: &Ray) -> Explanation {
+/// Adds the arithmetic of a test. A shape in a space of its own is tested there. `parts` are those of a csg.
+pub fn add(explanation: Explanation, (shape, parts): (&Shape, &[Leaf]), ray: &Ray) -> Explanation {
     match shape {
         Shape::Triangle(triangle) => self::triangle(explanation, triangle, ray),
         Shape::Sphere(sphere) => self::sphere(explanation, sphere, ray),
         Shape::Plane(plane) => self::plane(explanation, plane, ray),
         Shape::Cuboid(cuboid) => self::cuboid(explanation, cuboid, ray),
         Shape::Disc(disc) => self::disc(explanation, disc, ray),
+        Shape::Patch(patch) => patches::add(explanation, patch, &Shear::new(ray)),
+        Shape::Body(body) => bodies::add(explanation, (body, parts), ray),
+        Shape::Polygon(polygon) => self::polygon(explanation, polygon, ray),
         Shape::Transformed(transformed) => {
             let own = transformed.transform.ray_to_object(ray);
             let explanation = explanation
                 .row("o in its space", vec3(own.origin))
                 .row("d in its space", vec3(own.direction));
-            add(explanation, &transformed.shape, &own)
+            add(explanation, (&transformed.shape, parts), &own)
         }
-        Shape::Naive(naive) => add(explanation, &naive.shape, ray),
+        Shape::Naive(naive) => add(explanation, (&naive.shape, parts), ray),
     }
 }
 
@@ -57,6 +61,24 @@ fn disc(explanation: Explanation, disc: &Disc, ray: &Ray) -> Explanation {
             num(disc.radius)
         ),
     )
+}
+
+fn polygon(explanation: Explanation, polygon: &Polygon, ray: &Ray) -> Explanation {
+    let n = polygon.normal();
+    let walk = polygon.walk(&Shear::new(ray));
+    let side = if walk.is_inside() {
+        "odd: inside"
+    } else {
+        "even: outside"
+    };
+    let t = n.dot(polygon.center() - ray.origin) / n.dot(ray.direction);
+    crossing(explanation, n, n.dot(polygon.center()), ray)
+        .row("t", num(t))
+        .row("corners", polygon.edges().count().to_string())
+        .row(
+            "walk to infinity",
+            format!("crosses {} edges: {side}", walk.crossed),
+        )
 }
 
 fn triangle(explanation: Explanation, triangle: &Triangle, ray: &Ray) -> Explanation {
@@ -176,6 +198,11 @@ mod tests {
             ("room", (32, 40)),
             ("lamps", (30, 20)),
             ("teapot", (30, 26)),
+            ("quadrics", (8, 21)),
+            ("torus", (42, 26)),
+            ("csg", (17, 30)),
+            ("polygons", (30, 30)),
+            ("teapot-patches", (32, 24)),
         ] {
             let world = World::new(load(name).expect(name), AccelKind::List);
             let settings = world.scene.settings.with(|s| {
@@ -212,6 +239,6 @@ mod tests {
                 kinds.insert(shape.kind());
             }
         }
-        assert!(kinds.len() >= 4, "{kinds:?}");
+        assert!(kinds.len() >= 9, "{kinds:?}");
     }
 }

@@ -37,7 +37,7 @@ pub fn source(view: View, event: &Event) -> SourcePlace {
             Term::Background { .. } => place("src/tracer/whitted.rs", "background"),
             _ => place("src/shading/point.rs", "eval"),
         },
-        Event::Passed { .. } => place("src/tracer/whitted.rs", "next_interface"),
+        Event::Passed { .. } => place("src/world/interface.rs", "next_interface"),
         Event::Boundary { .. } => place("src/shading/optics.rs", "reflectance"),
         Event::Absent { kind, .. } => sender(*kind),
         Event::Return { .. } => place("src/tracer/whitted.rs", "shade"),
@@ -78,6 +78,13 @@ fn intersection(kind: &str) -> SourcePlace {
         "plane" => "src/geometry/plane.rs",
         "box" => "src/geometry/cuboid.rs",
         "disc" => "src/geometry/disc.rs",
+        "polygon" => "src/geometry/polygon.rs",
+        "cylinder" | "cone" | "paraboloid" | "hyperboloid" => "src/geometry/quadric.rs",
+        "quadric" => "src/geometry/quadric/boxed.rs",
+        "torus" => "src/geometry/torus.rs",
+        "quartic" => "src/geometry/quartic.rs",
+        "csg" => "src/geometry/shape/csg.rs",
+        "patch" => "src/geometry/patch.rs",
         _ => "src/geometry/shape.rs",
     };
     place(file, "intersect")

@@ -4,6 +4,7 @@ use super::{Explanation, end, fresnel};
 use crate::geometry::{Hit, Offset};
 use crate::math::Ray;
 use crate::probe::NONE;
+use crate::scene::ObjectFrame;
 use crate::shading::Side;
 use crate::trace::format::{degrees, num, vec3};
 use crate::trace::{SurfaceHit, View};
@@ -19,6 +20,8 @@ pub fn hit(view: View, node: u32) -> Explanation {
         at,
         object,
         primitive,
+        part,
+        barycentric,
         material,
     } = surface;
     let shape = &view.world.scene.shapes[hit.primitive as usize];
@@ -52,16 +55,21 @@ pub fn hit(view: View, node: u32) -> Explanation {
             other => format!("not asked for: the next ray's offset is {other}"),
         },
     )
+    .row_if("part", part)
     .row("material", material.name.clone())
     .row("N", vec3(at.normal));
     if at.normal != at.geometric_normal {
         explanation = explanation.row("N of the shape", vec3(at.geometric_normal));
     }
-    if let Some([a, b, c]) = object.barycentric(hit.barycentric) {
+    if let Some([a, b, c]) = barycentric {
         explanation = explanation.row(
             "barycentric",
             format!("({}, {}, {})", num(a), num(b), num(c)),
         );
+    }
+    let ray = Ray::new(sent.origin, sent.direction);
+    for frame in view.world.scene.frames_of(object) {
+        explanation = in_frame(explanation, frame, &ray);
     }
     let explanation = explanation
         .row("uv", format!("({}, {})", num(at.uv.x), num(at.uv.y)))
@@ -70,6 +78,21 @@ pub fn hit(view: View, node: u32) -> Explanation {
             format!("between N and V: {}", degrees(at.normal.dot(at.to_viewer))),
         );
     end::self_hit(view, node, explanation)
+}
+
+/// Rows about the frame of a group that an object stands in, and the ray as it is there.
+fn in_frame(explanation: Explanation, frame: &ObjectFrame, ray: &Ray) -> Explanation {
+    let placed = match frame.placed.as_str() {
+        "" => "as it stands",
+        placed => placed,
+    };
+    let there = frame.ray(ray);
+    explanation
+        .row("stands in", format!("`{}`, {placed}", frame.name))
+        .row(
+            "ray there",
+            format!("{} + t {}", vec3(there.origin), vec3(there.direction)),
+        )
 }
 
 /// A ray goes straight through a surface.

@@ -1,7 +1,7 @@
 //! The traversal of the acceleration structure: nodes visited and primitives tested.
 
 use super::{Explanation, shapes};
-use crate::geometry::{Arithmetic, Naive, Shape};
+use crate::geometry::{Arithmetic, Body, Naive, Shape};
 use crate::math::{DVec3, Ray};
 use crate::probe::{Event, RayKind, RayRecord, Verdict, Visit};
 use crate::trace::View;
@@ -86,7 +86,9 @@ pub fn test(
         ),
         sentence(verdict.reason()) + beyond(sent, leaf, verdict, t),
     );
-    explanation = shapes::add(explanation, shape, &Ray::new(sent.origin, sent.direction));
+    let ray = Ray::new(sent.origin, sent.direction);
+    let parts = &scene.object_of(primitive).leaves;
+    explanation = shapes::add(explanation, (shape, parts), &ray);
     if let Shape::Naive(naive) = shape {
         explanation = explanation.row("arithmetic", tested_with(naive));
     }
@@ -129,12 +131,18 @@ fn tested_with(naive: &Naive) -> String {
     let Arithmetic {
         triangle,
         quadratic,
+        quartic,
         precision,
         ..
     } = naive.arithmetic;
     let algorithm = match naive.shape {
         Shape::Triangle(_) => format!("{}, ", triangle.name()),
         Shape::Sphere(_) => format!("quadratic {}, ", quadratic.name()),
+        Shape::Body(ref body) => match **body {
+            Body::Quadric(_) | Body::BoxedQuadric(_) => format!("quadratic {}, ", quadratic.name()),
+            Body::Torus(_) | Body::Quartic(_) => format!("quartic {}, ", quartic.name()),
+            Body::Csg(_) => String::new(),
+        },
         _ => String::new(),
     };
     format!("{algorithm}{} precision", precision.name())

@@ -16,9 +16,11 @@ pub fn hit(hit: &HitPoint) -> String {
         .then(|| format!(", N of the shape {}", triple(hit.geometric_normal)));
     let weights = hit.barycentric;
     let weights = weights.map(|weights| format!(", barycentric {}", triple(weights)));
+    let part = hit.part.as_ref().map(|part| format!(", part {part},"));
     format!(
-        "primitive {} from {side} at {}, N {}{}{}, material {}",
+        "primitive {}{} from {side} at {}, N {}{}{}, material {}",
         hit.primitive,
+        part.unwrap_or_default(),
         triple(hit.point),
         triple(hit.normal),
         shape.unwrap_or_default(),

@@ -2,6 +2,7 @@
 
 use super::quantity::NodeQuantity;
 use super::{Pattern, Property, TreeQuery};
+use crate::geometry::Body;
 use crate::scene::Scene;
 use crate::scene::printable::excerpt;
 use crate::scene::read::did_you_mean::did_you_mean;
@@ -14,10 +15,11 @@ const LISTED: usize = 6;
 enum Named {
     Object,
     Material,
+    Part,
     Light,
 }
 
-/// In a sentence the first name of a query that no object, material or light of the scene has, with the name that may be meant.
+/// In a sentence the first name of a query that no object, material, part or light of the scene has, with the name that may be meant.
 /// Names with `*` stand for any, and are not looked up.
 pub fn unknown_names(query: &TreeQuery, scene: &Scene) -> Option<String> {
     match query {
@@ -28,10 +30,12 @@ pub fn unknown_names(query: &TreeQuery, scene: &Scene) -> Option<String> {
         TreeQuery::Is(property) => match property {
             Property::Hits(name) | Property::Path(_, name) => unknown(Named::Object, name, scene),
             Property::Material(name) => unknown(Named::Material, name, scene),
+            Property::Part(name) => unknown(Named::Part, name, scene),
             Property::Lit(name) | Property::Blocked(name) => unknown(Named::Light, name, scene),
             Property::Kind(_)
             | Property::Hit
             | Property::Miss
+            | Property::Front
             | Property::Back
             | Property::Absent(_) => None,
         },
@@ -48,6 +52,7 @@ fn unknown(named: Named, Pattern(name): &Pattern, scene: &Scene) -> Option<Strin
     let all: Vec<&str> = match named {
         Named::Object => scene.objects.iter().map(|o| o.name.as_str()).collect(),
         Named::Material => scene.materials.iter().map(|m| m.name.as_str()).collect(),
+        Named::Part => parts(scene),
         Named::Light => scene.lights.iter().map(|l| l.name.as_str()).collect(),
     };
     // Where terms are of no light, as ambient light is, the light has no name.
@@ -57,6 +62,7 @@ fn unknown(named: Named, Pattern(name): &Pattern, scene: &Scene) -> Option<Strin
     let what = match named {
         Named::Object => "object",
         Named::Material => "material",
+        Named::Part => "part",
         Named::Light => "light",
     };
     let cure = match did_you_mean(name, all.iter().copied()) {
@@ -69,6 +75,13 @@ fn unknown(named: Named, Pattern(name): &Pattern, scene: &Scene) -> Option<Strin
         }
     };
     Some(format!("no {what} is named `{}`; {cure}", excerpt(name)))
+}
+
+/// The names of parts: those of the solids that are cut from others, then those that many shapes have.
+fn parts(scene: &Scene) -> Vec<&str> {
+    let leaves = scene.objects.iter().flat_map(|object| &object.leaves);
+    let leaves = leaves.map(|leaf| leaf.name.as_str());
+    leaves.chain(Body::PART_NAMES).collect()
 }
 
 #[cfg(test)]

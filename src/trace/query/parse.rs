@@ -16,9 +16,10 @@ use crate::scene::read::did_you_mean::did_you_mean;
 const DEEPEST: u32 = 50;
 
 /// Words that stand alone.
-const WORDS: [(&str, Property); 7] = [
+const WORDS: [(&str, Property); 8] = [
     ("hit", Property::Hit),
     ("miss", Property::Miss),
+    ("front", Property::Front),
     ("back", Property::Back),
     ("I", Property::Kind(RayKind::Incident)),
     ("L", Property::Kind(RayKind::Light)),
@@ -27,9 +28,10 @@ const WORDS: [(&str, Property); 7] = [
 ];
 
 /// Words that a name follows, and an example of each.
-const NAMED: [(&str, &str); 6] = [
+const NAMED: [(&str, &str); 7] = [
     ("hits", "hits:ball"),
     ("material", "material:glass"),
+    ("part", "part:wall"),
     ("lit", "lit:lamp"),
     ("blocked", "blocked:lamp"),
     ("absent", "absent:depth-limit"),
@@ -175,6 +177,7 @@ fn property(at: usize, word: &str) -> Result<TreeQuery, QueryError> {
     Ok(TreeQuery::Is(match key {
         "hits" => Property::Hits(pattern),
         "material" => Property::Material(pattern),
+        "part" => Property::Part(pattern),
         "lit" => Property::Lit(pattern),
         "blocked" => Property::Blocked(pattern),
         "absent" => {

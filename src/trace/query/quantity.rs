@@ -1,8 +1,9 @@
 //! Quantities of a ray that a query compares with a number.
 
 use super::pattern::Pattern;
-use crate::math::Rgb;
+use crate::math::{DVec3, Rgb};
 use crate::probe::{Event, Factor, RayKind, Term, TermKind};
+use crate::shading::Interaction;
 use crate::trace::{Outcome, View};
 
 /// A quantity of a ray.
@@ -24,6 +25,18 @@ pub enum NodeQuantity {
     N2,
     /// The share of light that a boundary reflects.
     Reflectance,
+    /// A coordinate of its direction: x, y or z.
+    Direction(usize),
+    /// A coordinate of its hit point.
+    Point(usize),
+    /// A coordinate of the normal N there, that shading uses.
+    Normal(usize),
+    /// Degrees between the way back along the ray and N.
+    Angle,
+    /// Degrees between N and the geometric normal.
+    NormalAngle,
+    /// N.V, the cosine of the angle.
+    NDotV,
     /// A factor of the term of a light of such a name, by the factor's name.
     Factor(&'static str, Pattern),
     /// The luminance of the diffuse or specular terms of lights of such a name.
@@ -32,7 +45,7 @@ pub enum NodeQuantity {
 
 impl NodeQuantity {
     /// Names of the quantities without a light's name.
-    pub const PLAIN: [(&'static str, Self); 10] = [
+    pub const PLAIN: [(&'static str, Self); 22] = [
         ("depth", Self::Depth),
         ("rays", Self::Rays),
         ("t", Self::T),
@@ -43,6 +56,18 @@ impl NodeQuantity {
         ("n1", Self::N1),
         ("n2", Self::N2),
         ("reflectance", Self::Reflectance),
+        ("direction.x", Self::Direction(0)),
+        ("direction.y", Self::Direction(1)),
+        ("direction.z", Self::Direction(2)),
+        ("point.x", Self::Point(0)),
+        ("point.y", Self::Point(1)),
+        ("point.z", Self::Point(2)),
+        ("normal.x", Self::Normal(0)),
+        ("normal.y", Self::Normal(1)),
+        ("normal.z", Self::Normal(2)),
+        ("angle", Self::Angle),
+        ("normal_angle", Self::NormalAngle),
+        ("n_dot_v", Self::NDotV),
     ];
 
     /// Names of the quantities that a light's name follows.
@@ -77,6 +102,10 @@ impl NodeQuantity {
             },
             Self::Channel(channel) => Some(this.radiance.channels()[*channel]),
             Self::Luminance => Some(this.radiance.luminance()),
+            Self::Direction(axis) => Some(this.ray.direction[*axis]),
+            Self::Point(_) | Self::Normal(_) | Self::Angle | Self::NormalAngle | Self::NDotV => {
+                Some(self.of_surface(&view.surface_hit(node)?.at))
+            }
             Self::N1 | Self::N2 | Self::Reflectance => events().find_map(|event| match event {
                 Event::Boundary {
                     n1,
@@ -108,6 +137,23 @@ impl NodeQuantity {
             }
         }
     }
+
+    /// The quantity of the surface that a ray ends on; NaN if it is none of a surface.
+    fn of_surface(&self, at: &Interaction) -> f64 {
+        match self {
+            Self::Point(axis) => at.point[*axis],
+            Self::Normal(axis) => at.normal[*axis],
+            Self::Angle => degrees_between(at.to_viewer, at.normal),
+            Self::NormalAngle => degrees_between(at.normal, at.geometric_normal),
+            Self::NDotV => at.normal.dot(at.to_viewer),
+            _ => f64::NAN,
+        }
+    }
+}
+
+/// Degrees between two vectors. (By sine and cosine: right for small angles, too.)
+fn degrees_between(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b)).to_degrees()
 }
 
 /// A factor of a term that is a number.

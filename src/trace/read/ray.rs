@@ -178,7 +178,7 @@ fn facts(
         part(
             hit,
             HIT,
-            &["material"],
+            &["material", "part", "frames"],
             &place.key("hit"),
             notes,
             &mut facts,

@@ -69,6 +69,7 @@ impl Film {
     }
 
     /// Stores pixel number `index` of the film, which is pixel `at` of the whole picture.
+    #[inline(always)]
     pub fn put(&mut self, index: usize, at: (u32, u32), pixel: &Pixel) {
         self.pixels[index] = pixel.color;
         if let Some(samples) = self.samples.get_mut(index) {

@@ -37,25 +37,23 @@ fn first(bend: Bend, world: &World, ray: &Ray, end: f64) -> Option<Hit> {
     let interval = Interval::new(start, end);
     let shapes = (0..).zip(&world.scene.shapes);
     let hits = shapes.filter_map(|(primitive, shape)| {
-        let (t, barycentric) = test(bend, shape, ray, &shear, interval)?;
+        let (t, place, part) = test(bend, shape, ray, &shear, interval)?;
         Some(Hit {
             t,
             primitive,
-            barycentric,
+            part,
+            place,
         })
     });
     hits.min_by(|a, b| a.t.total_cmp(&b.t))
 }
 
+/// t, and the place and part of the shape there.
+type Met = (f64, [f64; 3], u32);
+
 /// The altered test of one shape.
-fn test(
-    bend: Bend,
-    shape: &Shape,
-    ray: &Ray,
-    shear: &Shear,
-    interval: Interval,
-) -> Option<(f64, [f64; 3])> {
-    let at = |t: f64| interval.contains(t).then_some((t, [0.0; 3]));
+fn test(bend: Bend, shape: &Shape, ray: &Ray, shear: &Shear, interval: Interval) -> Option<Met> {
+    let at = |t: f64| interval.contains(t).then_some((t, [0.0; 3], 0));
     match (bend, shape) {
         (Bend::FarRoot, Shape::Sphere(sphere)) => at(sphere.span(ray)?[1]),
         (Bend::FarRoot, Shape::Transformed(moved)) => match &moved.shape {
@@ -64,16 +62,16 @@ fn test(
         },
         (Bend::PlaneDSign, Shape::Plane(plane)) => at(with_wrong_sign(plane, ray)),
         (Bend::EdgePlaneSlide, Shape::Triangle(triangle)) => {
-            let (t, barycentric) = by_slide(triangle, ray)?;
-            interval.contains(t).then_some((t, barycentric))
+            let (t, place) = by_slide(triangle, ray)?;
+            interval.contains(t).then_some((t, place, 0))
         }
         _ => right(shape, ray, shear, interval),
     }
 }
 
-fn right(shape: &Shape, ray: &Ray, shear: &Shear, interval: Interval) -> Option<(f64, [f64; 3])> {
+fn right(shape: &Shape, ray: &Ray, shear: &Shear, interval: Interval) -> Option<Met> {
     match shape.intersect(ray, shear, interval) {
-        Intersection::Hit { t, barycentric } => Some((t, barycentric)),
+        Intersection::Hit { t, place, part } => Some((t, place, part)),
         _ => None,
     }
 }

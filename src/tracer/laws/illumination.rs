@@ -110,7 +110,7 @@ fn from_both_sides<S: LightSampler>(
     point: &ShadingPoint,
 ) -> SampledRay {
     let ray = sampler.to_light(Some(light));
-    if ray.is_ok() || !point.shows_lights() || light.intensity.is_black() {
+    if ray.is_ok() || point.shows_lights().is_err() || light.intensity.is_black() {
         return ray;
     }
     let origin = point.at.origin_towards(light.direction);
@@ -138,6 +138,7 @@ pub fn nothing_hit() -> Hit {
     Hit {
         t: 1.0,
         primitive: 0,
-        barycentric: [1.0, 0.0, 0.0],
+        part: 0,
+        place: [1.0, 0.0, 0.0],
     }
 }

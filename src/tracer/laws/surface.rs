@@ -30,7 +30,8 @@ pub fn interaction(bend: Bend, scene: &Scene, ray: &Ray, hit: &Hit) -> Interacti
                 let local = moved.shape.surface(
                     &moved.transform.ray_to_object(ray),
                     hit.t,
-                    hit.barycentric,
+                    hit.place,
+                    hit.part,
                 );
                 let normal = moved.transform.vector(local.normal).normalize_or(at.normal);
                 let turned = normal * facing(normal, ray.direction);
@@ -38,13 +39,13 @@ pub fn interaction(bend: Bend, scene: &Scene, ray: &Ray, hit: &Hit) -> Interacti
             }
             _ => at,
         },
-        Bend::NormalNotUnit => match (shape, blended(scene, hit, hit.barycentric)) {
+        Bend::NormalNotUnit => match (shape, blended(scene, hit, hit.place)) {
             (_, Some(blended)) => with(blended * facing(blended, ray.direction)),
             (Shape::Sphere(sphere), None) => with(at.normal * sphere.radius),
             _ => at,
         },
         Bend::BarycentricRotated => {
-            let [u, v, w] = hit.barycentric;
+            let [u, v, w] = hit.place;
             match blended(scene, hit, [w, u, v]).and_then(DVec3::try_normalize) {
                 Some(normal) => with(normal * facing(normal, ray.direction)),
                 None => at,

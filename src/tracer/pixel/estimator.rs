@@ -29,15 +29,16 @@ pub struct PixelEstimator {
 }
 
 impl PixelEstimator {
-    /// A pixel without samples.
-    #[inline]
+    /// A pixel without samples. (Always inlined, as what it calls: left to the compiler, that depends on code that has nothing to do
+    /// with it.)
+    #[inline(always)]
     pub fn new(settings: &Settings, budget: Budget, at: (u32, u32)) -> Self {
         let count = settings.pixel.adaptive.is_none().then_some(budget.samples);
         Self::with_samples(settings, budget, at, count)
     }
 
     /// A pixel that is to have `count` samples, if that is known.
-    #[inline]
+    #[inline(always)]
     fn with_samples(
         settings: &Settings,
         budget: Budget,

@@ -41,6 +41,12 @@ pub enum Action {
     Breaks,
     /// Run to the next break point (back to the one before, if false).
     Run(bool),
+    /// Ask for a number to watch.
+    Watch,
+    /// Show the watched numbers.
+    Watches,
+    /// Run to where a watched number changes next (back to where it changed last, if false).
+    RunToChange(bool),
     /// Show where the numbers of the current event come from (where they go, if false).
     Origin(bool),
     /// To the place before the last jump (forward again, if false).
@@ -115,8 +121,20 @@ pub enum Action {
     Fan,
     /// Take the text that was typed.
     Accept,
-    /// Delete the last letter.
-    Erase,
+    /// Show the next hint to a question.
+    Hint,
+    /// Answer a question by the word with this number.
+    Reply(u8),
+    /// Choose the law that is broken.
+    Laws,
+    /// Show where a broken tracer and ours differ.
+    WithOurs,
+    /// Give the answer; where it is given, go on.
+    Give,
+    /// Delete the letter before the place where letters are typed (the one behind it, if false).
+    Erase(bool),
+    /// Move this place by so many letters.
+    Caret(i32),
 }
 
 /// When a key means what the table says.
@@ -126,6 +144,8 @@ pub enum Context {
     Picture,
     /// While a ray tree is open.
     Tree,
+    /// While a question of a lesson is open.
+    Question,
     /// While a text is typed.
     Prompt,
     /// While the effects are shown.

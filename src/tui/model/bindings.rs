@@ -44,8 +44,8 @@ const FAR: i32 = i16::MAX as i32;
 #[rustfmt::skip]
 pub const ACTIONS: &[Binding] = {
     use Action as A;
-    use Context::{Always, Effects, Picture, Places, Prompt, Text, Tree};
-    use KeyCode::{BackTab, Backspace, Down, End, Enter, Esc, Home, Left, PageDown, PageUp, Right, Tab, Up};
+    use Context::{Always, Effects, Picture, Places, Prompt, Question, Text, Tree};
+    use KeyCode::{BackTab, Backspace, Delete, Down, End, Enter, Esc, Home, Left, PageDown, PageUp, Right, Tab, Up};
     use StepCommand::{Back, Forward, NextAbsent, NextRay, Out, Over, PreviousAbsent, PreviousRay, Start};
     use RayKind::{Incident, Light, Reflected, Transmitted};
     &[
@@ -79,9 +79,13 @@ pub const ACTIONS: &[Binding] = {
         row(Tree, true, &[(ch('l'), A::Step(NextRay(Light))), (ch('L'), A::Step(PreviousRay(Light)))], "L ray", "The next (previous) ray to a light."),
         row(Tree, false, &[(ch('>'), A::Play(true)), (ch('<'), A::Play(false))], "play", "Step on (back) by itself, twice a second; once more doubles the speed, any other key stops."),
         row(Tree, false, &[(ch('-'), A::PlayBy)], "play by", "Let these steps be events, rays, or rays level by level."),
-        row(Tree, false, &[(ch('b'), A::Break)], "break", "Set a break point, such as tir, absent, deepest or test:ball; the same again takes it away."),
+        row(Tree, false, &[(ch('b'), A::Break)], "break", "Set a break point, such as tir, absent, test:ball or L blocked every 3rd; the same again takes it away."),
         row(Tree, false, &[(ch('x'), A::Run(true)), (ch('X'), A::Run(false))], "run", "Run to the next break point (back to the one before)."),
         row(Tree, false, &[(ch('B'), A::Breaks)], "break points", "All break points, and how often each stops a run through this tree."),
+        row(Tree, false, &[(ch('*'), A::Watch)], "watch", "Watch a number of the details, or radiance, throughput, running sum, depth; the same again takes it away."),
+        row(Tree, false, &[(ch(')'), A::RunToChange(true)), (ch('('), A::RunToChange(false))], "next change",
+            "Run to where a watched number changes next (back to where it changed last)."),
+        row(Tree, false, &[(ch('#'), A::Watches)], "watches", "All watched numbers: what each is, what it was before, and where it was told."),
         row(Tree, false, &[(ch('w'), A::Origin(true)), (ch('W'), A::Origin(false))], "from, to", "Where the numbers of this event come from (where they go): choose one to go there."),
         row(Tree, false, &[(shift(Left), A::Neighbour(-1, 0)), (shift(Down), A::Neighbour(0, 1)), (shift(Up), A::Neighbour(0, -1)), (shift(Right), A::Neighbour(1, 0))],
             "next pixel", "The tree of the pixel beside this one, at the same ray if it has one."),
@@ -91,7 +95,7 @@ pub const ACTIONS: &[Binding] = {
         row(Tree, false, &[(ch(':'), A::GoTo)], "go to", "To the event or the address that you type, such as 17 or /T/R."),
         row(Tree, true, &[(ch('/'), A::Search)], "find", "Find the rays that satisfy a query, such as blocked:* or t < 0.1."),
         row(Tree, false, &[(ch('h'), A::Samples)], "samples", "All samples of the pixel as a table, and their sum."),
-        row(Tree, false, &[(ch('d'), A::Compare)], "compare", "Compare with another pixel (X,Y), a setting or a bend (flag=value), or a file of ray trees."),
+        row(Tree, false, &[(ch('d'), A::Compare)], "compare", "Compare with another pixel (X,Y), a setting or a bend (flag=value), another scene, or a file of ray trees; with accel=kd or order=far-first the steps of this ray."),
         row(Tree, false, &[(ch('f'), A::FindNext(true)), (ch('F'), A::FindNext(false))], "next found", "To the next (previous) ray that satisfies the query."),
         row(Tree, true, &[(key(Tab), A::NextPane), (key(BackTab), A::PreviousPane)], "pane", "Give the arrow keys to the next (previous) pane."),
         row(Tree, true, &[(ch('z'), A::Zoom)], "zoom", "The focused pane on the whole screen, and back."),
@@ -105,9 +109,19 @@ pub const ACTIONS: &[Binding] = {
         row(Tree, false, &[(ch('V'), A::Fan)], "row, column", "Draw the eye rays of all pixels in this row, in this column, or neither."),
         row(Tree, false, &[(key(Enter), A::Step(Over))], "over", "As o."),
 
+        row(Question, true, &[(ch('1'), A::Reply(1)), (ch('2'), A::Reply(2)), (ch('3'), A::Reply(3)), (ch('4'), A::Reply(4)), (ch('5'), A::Reply(5)),
+            (ch('6'), A::Reply(6)), (ch('7'), A::Reply(7)), (ch('8'), A::Reply(8)), (ch('9'), A::Reply(9))],
+            "answer", "Answer by the word with this number. Numbers are typed, Enter gives them."),
+        row(Question, true, &[(key(Enter), A::Give)], "give the answer", "Give the number that is typed, or the pixel under the cursor; where the answer is told, go on."),
+        row(Question, true, &[(ch('b'), A::Laws)], "name the law", "Of a broken tracer: choose the law that is broken. The step under the cursor belongs to the answer."),
+        row(Question, false, &[(ch('d'), A::WithOurs)], "difference", "Of a broken tracer, after two hints: where its tree and ours differ."),
+        row(Question, true, &[(ch('H'), A::Hint)], "hint", "The next of three hints: where to look, which law, almost the answer."),
+
         row(Prompt, true, &[(key(Enter), A::Accept)], "go", "Go there, search for it, or change it."),
         row(Prompt, true, &[(key(Down), A::Ready(true)), (key(Up), A::Ready(false))], "examples", "The next (previous) of some texts to begin with."),
-        row(Prompt, true, &[(key(Backspace), A::Erase)], "erase", "Delete the last letter."),
+        row(Prompt, true, &[(key(Backspace), A::Erase(true)), (key(Delete), A::Erase(false))], "erase", "Delete the letter before (behind) the bar."),
+        row(Prompt, false, &[(key(Left), A::Caret(-1)), (key(Right), A::Caret(1)), (key(Home), A::Caret(-FAR)), (key(End), A::Caret(FAR))],
+            "within the text", "To the letter before (behind), to the start, to the end: letters are typed there."),
 
         row(Effects, true, &[(key(Down), A::Choose(1)), (key(Up), A::Choose(-1)), (ch('j'), A::Choose(1)), (ch('k'), A::Choose(-1))],
             "choose", "To the next (previous) effect."),
@@ -189,6 +203,7 @@ mod tests {
         for context in [
             Context::Picture,
             Context::Tree,
+            Context::Question,
             Context::Prompt,
             Context::Effects,
             Context::Places,

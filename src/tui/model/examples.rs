@@ -1,7 +1,7 @@
 //! Texts to begin with, where one is typed.
 
 use super::overlay::Prompt;
-use crate::debug::{breaks, edit, search};
+use crate::debug::{breaks, edit, search, watch};
 use crate::scene::Scene;
 
 /// Settings to begin with.
@@ -16,13 +16,16 @@ const SETTINGS: [&str; 7] = [
 ];
 
 /// Comparisons to begin with.
-const COMPARISONS: [&str; 6] = [
+const COMPARISONS: [&str; 9] = [
     "bend=eta-inverted",
     "bend=reflect-plus",
     "bend=shadow-none",
     "without=refraction",
     "fresnel=none",
     "depth=1",
+    "accel=kd",
+    "accel=list",
+    "order=far-first",
 ];
 
 /// Those of a prompt: for changes first the values of the scene as they are.
@@ -32,6 +35,7 @@ pub fn examples(prompt: Prompt, scene: &Scene) -> Vec<String> {
         Prompt::Compare => &COMPARISONS,
         Prompt::Set => &SETTINGS,
         Prompt::Break => &breaks::READY,
+        Prompt::Watch => &watch::FIELDS,
         Prompt::GoTo | Prompt::Note | Prompt::Write | Prompt::WritePatch => &[],
     };
     let of_scene = match prompt {
@@ -44,6 +48,6 @@ pub fn examples(prompt: Prompt, scene: &Scene) -> Vec<String> {
 
 /// True if a prompt has any.
 pub fn has_any(prompt: Prompt) -> bool {
-    use Prompt::{Break, Compare, Search, Set};
-    matches!(prompt, Search | Compare | Set | Break)
+    use Prompt::{Break, Compare, Search, Set, Watch};
+    matches!(prompt, Search | Compare | Set | Break | Watch)
 }

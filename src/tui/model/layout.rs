@@ -72,9 +72,28 @@ pub struct Panes {
     pub steps: Rect,
     /// The path.
     pub path: Rect,
+    /// The question.
+    pub ask: Rect,
 }
 
 impl Panes {
+    /// The layout of a screen of which a question takes so many rows, above the line of keys.
+    pub fn beside(screen: Rect, shown: Shown, rows: u16) -> Self {
+        let rows = rows.min(screen.height);
+        let free = Rect {
+            height: screen.height - rows,
+            ..screen
+        };
+        let mut panes = Self::new(free, shown);
+        panes.ask = Rect {
+            y: panes.hint.y,
+            height: rows,
+            ..screen
+        };
+        panes.hint.y += rows;
+        panes
+    }
+
     /// The layout of a screen.
     pub fn new(screen: Rect, shown: Shown) -> Self {
         match shown {

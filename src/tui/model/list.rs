@@ -31,6 +31,8 @@ pub enum LineGoal {
     Event(usize),
     /// To an address.
     Address(Address),
+    /// To the answer of a question: the law with this number.
+    Law(usize),
     /// To nothing that can be shown here: what is said instead.
     Told(String),
 }

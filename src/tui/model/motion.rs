@@ -1,4 +1,4 @@
-//! How the cursor moves other than by a key a step: by itself, to a break point, back over its jumps.
+//! How the cursor moves other than by a key a step: by itself, back over its jumps.
 
 use std::time::Instant;
 
@@ -13,15 +13,6 @@ pub struct Play {
     pub speed: u32,
     /// When the next one is due.
     pub due: Instant,
-}
-
-/// A run through the log to the next break point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LogRun {
-    /// Whether forwards, or backwards.
-    pub forward: bool,
-    /// The event that it came to.
-    pub from: usize,
 }
 
 /// What a step is that runs by itself.

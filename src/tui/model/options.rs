@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::ask::AskState;
 use crate::debug::marks::Marks;
+use crate::lab::show::ShowMode;
 use crate::scene::{Patch, SceneSource};
 use crate::trace::Address;
 use crate::tracer::image::ColorLevel;
@@ -27,8 +29,14 @@ pub struct Options {
     pub size: Option<(u32, u32)>,
     /// The ray at which a tree is opened at the start; none once it is.
     pub at: Option<Address>,
+    /// What the first tree that is opened is compared with, as key `d` takes it; none once it is.
+    pub compare: Option<String>,
     /// Marks of a file.
     pub marks: Option<Marks>,
+    /// What the picture shows in the place of colours.
+    pub show: Option<ShowMode>,
+    /// A question of a lesson.
+    pub ask: Option<Box<AskState>>,
     /// Where files that are named in the debugger lie.
     pub folder: PathBuf,
 }

@@ -36,6 +36,8 @@ pub enum Prompt {
     Write,
     /// To set a break point, or to take it away.
     Break,
+    /// To watch a number, or to watch it no more.
+    Watch,
     /// To write the changes of the scene into a file.
     WritePatch,
 }

@@ -7,16 +7,20 @@ use std::time::Instant;
 use ratatui::layout::Rect;
 
 use super::action::Context;
+use super::ask::AskState;
+use super::ask_lines::ask_rows;
 use super::change::{Before, PendingChange};
 use super::layout::{Pane, Panes, Shown, inside};
 use super::message::Job;
-use super::motion::{History, LogRun, Play, PlayUnit};
+use super::motion::{History, Play, PlayUnit};
 use super::options::Options;
 use super::overlay::Overlay;
 use super::placement::Placement;
 use crate::debug::breaks::BreakPoint;
 use crate::debug::fan::Fan;
+use crate::debug::log_run::LogRun;
 use crate::debug::marks::Marks;
+use crate::debug::watch::Watch;
 use crate::debug::{
     Axis, Convergence, ObjectOutline, PartialPicture, QuerySearch, Session, outlines,
 };
@@ -87,14 +91,20 @@ pub struct Model {
     pub play_unit: PlayUnit,
     /// Where a run through the log stops.
     pub breaks: Vec<BreakPoint>,
-    /// A run that takes long.
-    pub running: Option<LogRun>,
+    /// A run that takes long, and what stops it.
+    pub running: Option<(LogRun, Vec<BreakPoint>)>,
+    /// Numbers that are watched.
+    pub watches: Vec<Watch>,
     /// Places that were left by jumps.
     pub history: History,
     /// The query that is searched for.
     pub search: Option<QuerySearch>,
+    /// The question of a lesson that is answered here.
+    pub ask: Option<AskState>,
     /// What lies over the panes.
     pub overlay: Option<Overlay>,
+    /// Of the text that is typed, how many letters stand behind the place where the next one goes.
+    pub behind: usize,
     /// What the user arranged.
     pub layout: LayoutState,
     /// One sentence for the user, until the next key.
@@ -128,7 +138,7 @@ pub struct Model {
 
 impl Model {
     /// A world on a screen of this size, with an empty picture.
-    pub fn new(mut world: World, settings: Settings, options: Options, screen: Rect) -> Self {
+    pub fn new(mut world: World, settings: Settings, mut options: Options, screen: Rect) -> Self {
         world.scene = world.scene.with_printable_names();
         let marks = Marks::new(&options.scene, settings.size());
         Self {
@@ -138,9 +148,10 @@ impl Model {
             settings,
             mouse: options.mouse,
             patch: options.patch.clone(),
+            ask: options.ask.take().map(|ask| *ask),
+            show: options.show,
             options,
             picture: PartialPicture::default(),
-            show: None,
             picked: String::new(),
             session: None,
             waiting: None,
@@ -149,9 +160,11 @@ impl Model {
             play_unit: PlayUnit::default(),
             breaks: Vec::new(),
             running: None,
+            watches: Vec::new(),
             history: History::default(),
             search: None,
             overlay: None,
+            behind: 0,
             changing: None,
             undone: Vec::new(),
             before: None,
@@ -192,7 +205,7 @@ impl Model {
     /// The warnings about the scene, and about the picture as soon as all of it is there.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = self.world.scene.warnings.clone();
-        if self.picture.progress() >= 1.0 {
+        if self.picture.progress() >= 1.0 && self.picture.hidden.is_none() {
             let cuts = &self.picture.cuts;
             warnings.extend(cuts.warning(&self.options.scene, &self.world.scene, &self.settings));
         }
@@ -269,7 +282,15 @@ impl Model {
         } else {
             Shown::Picture
         };
-        Panes::new(screen, shown)
+        self.panes_for(screen, shown)
+    }
+
+    /// The layout of what is to be shown on another screen.
+    pub fn panes_for(&self, screen: Rect, shown: Shown) -> Panes {
+        match &self.ask {
+            Some(ask) => Panes::beside(screen, shown, ask_rows(ask, screen)),
+            None => Panes::new(screen, shown),
+        }
     }
 
     /// Which pixel of the picture lies where.

@@ -10,8 +10,10 @@ use super::theme;
 use crate::debug::effects::deviations;
 use crate::lab::show::{ShownRange, ShownValue, scale};
 use crate::scene::{Scene, trace_command};
+use crate::trace::explain::UNKNOWN;
 use crate::trace::format::{counted, num};
 use crate::tui::model::Model;
+use crate::tui::model::ask::AskState;
 
 /// How long a pixel may take before a spinner turns, in milliseconds.
 const PATIENCE: u128 = 100;
@@ -29,14 +31,20 @@ pub fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         let rays = counted(count, "ray");
         line.push_span(format!("{rays} cut ({share:.1} %)  "));
     }
+    let is_bent = model.ask.as_ref().is_some_and(AskState::is_of_a_bug);
+    remark(&mut line, is_bent.then(|| "a broken tracer".to_owned()));
     remark(&mut line, changed(&session.world.scene));
-    remark(&mut line, deviations(&session.settings, &model.findings));
-    line.push_span(theme::swatch(
-        trace.pixel.color * session.settings.image.exposure,
-        model.options.color,
-    ));
-    let rays = counted(trace.pixel.rays, "ray");
-    line.push_span(format!(" sRGB ({r}, {g}, {b})  {rays}"));
+    remark(&mut line, left_out(model));
+    if trace.is_whole() {
+        line.push_span(theme::swatch(
+            trace.pixel.color * session.settings.image.exposure,
+            model.options.color,
+        ));
+        let rays = counted(trace.pixel.rays, "ray");
+        line.push_span(format!(" sRGB ({r}, {g}, {b})  {rays}"));
+    } else {
+        line.push_span(format!("{UNKNOWN} sRGB {UNKNOWN}  {UNKNOWN} rays"));
+    }
     if trace.tree.dropped > 0 {
         let text = format!(
             "  the log is full: {} events were not kept",
@@ -60,7 +68,7 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
     let mut line = Line::from(Span::raw(format!(" ({x}, {y}) ")).bold());
     warned(&mut line, model);
     remark(&mut line, changed(&model.world.scene));
-    remark(&mut line, deviations(&model.settings, &model.findings));
+    remark(&mut line, left_out(model));
     if let Some(search) = &model.search {
         line.push_span(Span::raw(format!("{}  ", search.told((x, y)))).bold());
     }
@@ -74,6 +82,11 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
             let [r, g, b] = color.channels().map(short);
             linear = format!("  linear ({r}, {g}, {b})");
         }
+        _ if model.picture.hidden == Some((x, y)) => {
+            line.push_span(format!("sRGB {UNKNOWN}"));
+            write(buffer, area.x, area.y, &line, area.width);
+            return;
+        }
         _ => line.push_span("rendering ...  "),
     }
     line.push_span(Span::raw(model.picked.clone()));
@@ -83,7 +96,9 @@ pub fn status(model: &Model, area: Rect, buffer: &mut Buffer) {
     if area.height >= 1 {
         write(buffer, area.x, area.y, &line, area.width);
     }
-    if area.height >= 2 {
+    // The command would name what is broken.
+    let is_bent = model.ask.as_ref().is_some_and(AskState::is_of_a_bug);
+    if area.height >= 2 && !is_bent {
         let mut again = Line::from(Span::raw(format!(" {}", rerun(model))).style(theme::dim()));
         again.push_span(busy(model));
         write(buffer, area.x, area.y + 1, &again, area.width);
@@ -137,6 +152,16 @@ fn remark(line: &mut Line, deviations: Option<String>) {
         line.push_span(Span::styled(format!(" {told} "), theme::warning()));
         line.push_span("  ");
     }
+}
+
+/// What is not computed as usual; before a question that stands beside it.
+fn left_out(model: &Model) -> Option<String> {
+    let is_told = model.ask.as_ref().is_some_and(|ask| !ask.remark.is_empty());
+    let settings = model
+        .session
+        .as_ref()
+        .map_or(&model.settings, |s| &s.settings);
+    (!is_told).then(|| deviations(settings, &model.findings))?
 }
 
 /// How many numbers of the scene are changed, and how to see them.

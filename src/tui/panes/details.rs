@@ -10,6 +10,7 @@ use super::theme;
 use crate::debug::Session;
 use crate::debug::running::running_sum;
 use crate::trace::explain;
+use crate::trace::explain::UNKNOWN;
 use crate::trace::format::{counted, rgb};
 use crate::tracer::image::ColorLevel;
 
@@ -20,15 +21,20 @@ pub fn title(session: &Session) -> Line<'static> {
         let sent = &session.tree().node(id).ray;
         format!(", ray {id} ({}), depth {}", sent.kind.letter(), sent.depth)
     });
-    Line::raw(format!(
-        " event {here} of {}{ray} ",
-        count.saturating_sub(1)
-    ))
+    let last = match session.horizon() {
+        Some(_) => UNKNOWN.to_owned(),
+        None => count.saturating_sub(1).to_string(),
+    };
+    Line::raw(format!(" event {here} of {last}{ray} "))
 }
 
 /// All its lines, for a pane of this width.
 pub fn lines(session: &Session, level: ColorLevel, width: u16) -> Vec<Line<'static>> {
-    let explanation = explain(session.view(), session.cursor().position());
+    let mut explanation = explain(session.view(), session.cursor().position());
+    if session.horizon() == Some(1) {
+        // The direction is asked, and the sample's numbers lead to it.
+        explanation.rows.clear();
+    }
     let width = usize::from(width.max(8));
     let mut lines = vec![Line::from(Span::raw(explanation.title).bold())];
     lines.extend(

@@ -36,6 +36,7 @@ pub fn lines(width: u16) -> Vec<Line<'static>> {
     let sections = [
         (Context::Picture, "Choosing a pixel"),
         (Context::Tree, "In the ray tree"),
+        (Context::Question, "Before a question of a lesson"),
         (Context::Prompt, "Typing a place or a query"),
         (Context::Effects, "Among the effects"),
         (Context::Places, "In a list"),

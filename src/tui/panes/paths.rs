@@ -19,6 +19,7 @@ use crate::debug::projection::Viewport;
 use crate::debug::{Axis, ObjectOutline, Session};
 use crate::math::DVec3;
 use crate::probe::{Event, RayKind};
+use crate::trace::explain::UNKNOWN;
 use crate::trace::{Node, Outcome};
 
 const OUTLINE: Color = Color::Rgb(120, 120, 120);
@@ -26,6 +27,10 @@ const OUTLINE: Color = Color::Rgb(120, 120, 120);
 const CELL: Color = Color::Rgb(40, 165, 85);
 const SPLIT: Color = Color::Rgb(30, 160, 170);
 const TESTED: Color = Color::Rgb(190, 80, 200);
+
+/// Dots of a dash, and dashes at most.
+const DASH: f64 = 4.0;
+const MOST_DASHES: f64 = 1000.0;
 
 /// Its title: from where, and how space lies.
 pub fn title(axis: Axis) -> Line<'static> {
@@ -83,7 +88,9 @@ impl Drawing<'_> {
             self.outline(context, outline, OUTLINE);
         }
         self.traversal(context);
-        let fan = self.fan.map_or_else(Vec::new, |fan| fan.rays(self.session));
+        // The eye rays of a row end where they hit: before a question none is drawn.
+        let fan = self.fan.filter(|_| self.session.trace.is_whole());
+        let fan = fan.map_or_else(Vec::new, |fan| fan.rays(self.session));
         for [from, to] in fan {
             self.line(context, from, to, theme::kind_color(RayKind::Incident));
         }
@@ -92,9 +99,15 @@ impl Drawing<'_> {
         let shown = tree.nodes.iter().take(MAX_DRAWN);
         for node in shown {
             let [a, b] = self.viewport.ends(node);
-            self.line(context, a, b, theme::kind_color(node.ray.kind));
+            if self.is_asked(node) {
+                self.dashed(context, node);
+            } else {
+                self.line(context, a, b, theme::kind_color(node.ray.kind));
+            }
         }
-        if let Some(id) = current {
+        if let Some(id) = current
+            && !self.is_asked(tree.node(id))
+        {
             self.thick(context, tree.node(id));
         }
         for node in tree.nodes.iter().take(MAX_DRAWN) {
@@ -117,9 +130,31 @@ impl Drawing<'_> {
         self.print(context, eye, Span::raw("E").bold());
         if let Some(id) = current {
             let node = tree.node(id);
-            let [_, end] = self.viewport.ends(node);
             let style = theme::kind_style(node.ray.kind);
+            if self.is_asked(node) {
+                let start = node.ray.origin;
+                self.print(context, start, Span::styled(UNKNOWN, style));
+                return;
+            }
+            let [_, end] = self.viewport.ends(node);
             self.print(context, end, Span::styled("●", style));
+        }
+    }
+
+    /// True if it is asked where a ray ends.
+    fn is_asked(&self, node: &Node) -> bool {
+        node.outcome.is_none() && !self.session.trace.is_whole()
+    }
+
+    /// A ray of which it is not known where it ends: dashes, as far as it can go.
+    fn dashed(&self, context: &mut Context, node: &Node) {
+        let [a, b] = self.viewport.ends(node);
+        let step = (b - a).normalize_or_zero() * (DASH * self.viewport.dot);
+        let count = ((b - a).length() / (DASH * self.viewport.dot)).min(MOST_DASHES) as u32;
+        for dash in (0..=count).step_by(2) {
+            let start = a + step * f64::from(dash);
+            let color = theme::kind_color(node.ray.kind);
+            self.line(context, start, start + step, color);
         }
     }
 

@@ -7,6 +7,7 @@ use super::theme;
 use crate::debug::QuerySearch;
 use crate::lab::show::{ShownRange, ShownValue};
 use crate::math::Rgb;
+use crate::trace::explain::UNKNOWN;
 use crate::tracer::image::ColorLevel;
 use crate::tracer::image::terminal::ramp;
 use crate::tui::model::Model;
@@ -17,6 +18,15 @@ const DARKER: f64 = 0.15;
 
 /// Draws the picture and the marks around the pixel under the cursor.
 pub fn draw(model: &Model, placement: &Placement, buffer: &mut Buffer) {
+    pixels(model, placement, buffer);
+    if !placement.cells.is_empty() {
+        mark(model, placement, model.picture.cursor, buffer);
+        unknown(model, placement, buffer);
+    }
+}
+
+/// Draws the pixels.
+pub fn pixels(model: &Model, placement: &Placement, buffer: &mut Buffer) {
     let cells = placement.cells;
     let exposure = model.settings.image.exposure;
     let (picture, unit) = (model.shown(), model.unit());
@@ -43,8 +53,17 @@ pub fn draw(model: &Model, placement: &Placement, buffer: &mut Buffer) {
             }
         }
     }
-    if !cells.is_empty() {
-        mark(model, placement, buffer);
+}
+
+/// The sign of what is not known, at the pixel that is asked for.
+fn unknown(model: &Model, placement: &Placement, buffer: &mut Buffer) {
+    let is_inside = |at: &(u32, u32)| model.picture.window.contains(*at);
+    if let Some(at) = model.picture.hidden.filter(is_inside)
+        && let Some(cell) = buffer.cell_mut(placement.cell(at))
+    {
+        // The colours of its neighbours would hide it.
+        cell.reset();
+        cell.set_symbol(UNKNOWN).set_style(theme::current());
     }
 }
 
@@ -71,11 +90,11 @@ fn letter(upper: Option<Rgb>, lower: Option<Rgb>) -> char {
     }
 }
 
-/// Points at the pixel under the cursor from its four sides. The pixel itself stays as it is; left and right, the
+/// Points at a pixel from its four sides. The pixel itself stays as it is; left and right, the
 /// mark stands at exactly its half of the cell.
-fn mark(model: &Model, placement: &Placement, buffer: &mut Buffer) {
+pub fn mark(model: &Model, placement: &Placement, at: (u32, u32), buffer: &mut Buffer) {
     let cells = placement.cells;
-    let (column, half) = placement.half_of(model.picture.cursor);
+    let (column, half) = placement.half_of(at);
     let (x, y) = (i32::from(cells.x + column), i32::from(cells.y + half / 2));
     let [left, right] = if half % 2 == 0 {
         ['▝', '▘']

@@ -9,8 +9,8 @@ use ratatui::widgets::{Block, BorderType, Widget};
 
 use super::text::shortened;
 use super::{
-    bars, convergence, details, effects, help, hints, list, paths, picture, report, steps, theme,
-    tree, warnings,
+    ask, bars, convergence, details, effects, help, hints, list, paths, picture, report, steps,
+    theme, tree, warnings, watches,
 };
 use crate::debug::Session;
 use crate::tui::model::layout::covered;
@@ -35,6 +35,9 @@ pub fn draw(model: &Model, screen: Rect, buffer: &mut Buffer) {
         for pane in Pane::FOCUS {
             around_tree(model, session, pane, &panes, buffer);
         }
+    }
+    if let Some(ask) = &model.ask {
+        ask::draw(ask, panes.ask, buffer);
     }
     convergence::draw(model, &panes, buffer);
     let over = covered(screen);
@@ -67,7 +70,10 @@ fn around_tree(model: &Model, session: &Session, pane: Pane, panes: &Panes, buff
     match pane {
         Pane::Picture => {}
         Pane::Tree => tree::draw(session, level, area, buffer),
-        Pane::Details => details::draw(session, layout.scroll, level, area, buffer),
+        Pane::Details => {
+            let rest = watches::draw(model, area, buffer);
+            details::draw(session, layout.scroll, level, rest, buffer);
+        }
         Pane::Steps => steps::draw(session, area, buffer),
         Pane::Path => {
             let seen = (layout.axis, layout.fan);

@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 
 use super::text::{arrows, write};
 use super::theme;
-use crate::debug::steps::totals;
+use crate::debug::steps::{is_cut, totals};
 use crate::debug::t_axis::TAxis;
 use crate::debug::{Session, StepKind, StepText};
 use crate::tui::model::first::{first_step, step_rows};
@@ -22,7 +22,11 @@ pub fn title(session: &Session, width: u16) -> Line<'static> {
 pub fn draw(session: &Session, area: Rect, buffer: &mut Buffer) {
     let steps = session.steps();
     if steps.is_empty() {
-        let text = "this ray was not searched for anything";
+        let text = if is_cut(session) && session.node().is_some() {
+            "the search is behind the question"
+        } else {
+            "this ray was not searched for anything"
+        };
         write(
             buffer,
             area.x,

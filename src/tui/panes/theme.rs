@@ -45,6 +45,11 @@ pub fn keycap() -> Style {
     Style::new().fg(Color::Rgb(60, 160, 150)).bold()
 }
 
+/// Colour of what is code, or stands as it was printed.
+pub fn code() -> Color {
+    Color::Rgb(60, 160, 150)
+}
+
 /// Style of what must not be overlooked.
 pub fn warning() -> Style {
     Style::new().add_modifier(Modifier::REVERSED)

@@ -8,6 +8,7 @@ use ratatui::text::{Line, Span};
 use super::text::{arrows, write};
 use super::theme;
 use crate::debug::{RowText, Session, TreeRow, TreeRows};
+use crate::trace::explain::UNKNOWN;
 use crate::trace::format::counted;
 use crate::tracer::image::ColorLevel;
 use crate::tui::model::first::first_row;
@@ -21,7 +22,8 @@ const COLUMNS: usize = 24;
 /// Its title.
 pub fn title(session: &Session) -> Line<'static> {
     let rays = counted(session.tree().nodes.len() as u64, "ray");
-    Line::raw(format!(" ray tree: {rays} "))
+    let known = session.horizon().map_or("", |_| " before the question");
+    Line::raw(format!(" ray tree: {rays}{known} "))
 }
 
 /// The rows around the current one that a pane of `height` rows shows, with their numbers.
@@ -69,19 +71,24 @@ fn draw_row(text: RowText, current: bool, level: ColorLevel, area: Rect, buffer:
     } else {
         line.push_span(Span::styled(text.name, theme::dim()));
     }
-    let end = text.color.map_or_else(Line::default, |color| {
+    let has_end = !text.columns.is_empty();
+    let end = if has_end {
+        let unknown = Span::raw(UNKNOWN.repeat(2)).style(theme::dim());
+        let color = text.color.map(|color| theme::swatch(color, level));
         Line::from(vec![
             Span::raw(text.columns),
-            theme::swatch(color, level),
+            color.unwrap_or(unknown),
             Span::raw(" "),
         ])
-    });
+    } else {
+        Line::default()
+    };
     let width = area.width.saturating_sub(end.width() as u16);
     write(buffer, area.x, area.y, &line, width);
     write(buffer, area.x + width, area.y, &end, area.width - width);
     if current {
         // The colours at the end stay as they are: reversed they would lie.
-        let unmarked = if text.color.is_some() { 4 } else { 1 };
+        let unmarked = if has_end { 4 } else { 1 };
         let marked = Rect {
             x: area.x + 1,
             width: area.width.saturating_sub(unmarked),

@@ -17,11 +17,10 @@ use crossterm::terminal::{
 use crossterm::{execute, queue};
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
+use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::signals::{self, Signals};
-use crate::tui::model::Model;
-use crate::tui::panes;
 
 /// True while the terminal is ours.
 static TAKEN: Mutex<bool> = Mutex::new(false);
@@ -182,11 +181,11 @@ impl Screen {
         Ok(self.terminal.get_frame().area())
     }
 
-    /// Draws the model, all at once for terminals that can.
-    pub fn draw(&mut self, model: &Model) -> io::Result<()> {
+    /// Draws what is painted, all at once for terminals that can.
+    pub fn draw(&mut self, paint: impl FnOnce(Rect, &mut Buffer)) -> io::Result<()> {
         queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
         self.terminal
-            .draw(|frame| panes::draw(model, frame.area(), frame.buffer_mut()))?;
+            .draw(|frame| paint(frame.area(), frame.buffer_mut()))?;
         execute!(self.terminal.backend_mut(), EndSynchronizedUpdate)
     }
 

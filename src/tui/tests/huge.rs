@@ -22,7 +22,8 @@ fn huge() -> RayTree {
     let hit = Hit {
         t: 1.0,
         primitive: 0,
-        barycentric: [0.0; 3],
+        part: 0,
+        place: [0.0; 3],
     };
     // What is still to be told: a ray with its depth, or a return.
     let mut open = vec![(RayKind::Incident, 0)];

@@ -2,7 +2,8 @@
 
 use crossterm::event::KeyCode;
 
-use super::support::{app, buffer, key, keys, opened, settle, text};
+use super::support::{app, buffer, enter, key, keys, opened, settle, text};
+use crate::tui::model::ask::{AskKind, AskState};
 use crate::tui::model::bindings::ACTIONS;
 use crate::tui::model::{Context, Request};
 use crate::tui::panes::help;
@@ -24,13 +25,31 @@ fn every_key_does_something_and_is_in_the_help() {
             // In at least one of these situations the key must change what is seen, or end the program.
             let did = situations(binding.context).into_iter().any(|mut app| {
                 let before = buffer(&app);
-                assert!(app.press(key.event()), "{label} is not known");
+                let known = app.press(key.event());
+                assert!(
+                    known || binding.context == Context::Question,
+                    "{label} is not known"
+                );
                 settle(&mut app);
-                app.model.request != Request::Stay || buffer(&app) != before
+                let asks = app
+                    .model
+                    .ask
+                    .as_ref()
+                    .is_some_and(|ask| ask.request.is_some());
+                app.model.request != Request::Stay || asks || buffer(&app) != before
             });
             assert!(did, "{label} ({action:?}) does nothing");
         }
     }
+}
+
+/// A question that is shown two hints of three.
+fn asked(kind: AskKind) -> Program {
+    let mut app = opened(120, 36);
+    let mut ask = AskState::new("chapter: id", "What is it?", kind);
+    (ask.hints, ask.shown) = (2, vec![String::new(); 2]);
+    app.model.ask = Some(ask);
+    app
 }
 
 fn situations(context: Context) -> Vec<Program> {
@@ -41,8 +60,30 @@ fn situations(context: Context) -> Vec<Program> {
     };
     match context {
         Context::Picture | Context::Always => vec![app(80, 24), at(",")],
-        Context::Tree => vec![at("gnt"), at("gn ")],
-        Context::Prompt => vec![at(":7"), at("/t"), at("="), at("d")],
+        Context::Tree => {
+            let mut watching = at("gn*");
+            enter(&mut watching, "depth");
+            enter(&mut watching, ":20");
+            vec![at("gnt"), at("gn "), watching]
+        }
+        Context::Question => vec![
+            asked(AskKind::Word(vec!["lit".to_owned(); 9])),
+            asked(AskKind::Law {
+                among: vec!["this".to_owned()],
+                ours: Box::default(),
+            }),
+            {
+                let mut app = asked(AskKind::Value("a number".to_owned()));
+                keys(&mut app, "1");
+                app
+            },
+        ],
+        Context::Prompt => {
+            let mut within = at("/tir");
+            key(&mut within, KeyCode::Left);
+            key(&mut within, KeyCode::Left);
+            vec![at(":7"), at("/t"), at("="), at("d"), within]
+        }
         Context::Effects => vec![at("e"), at("ej")],
         Context::Text => {
             let mut end = at("?");
@@ -60,12 +101,12 @@ fn help_opens_scrolls_and_closes() {
     keys(&mut app, "?");
     let top = text(&app);
     assert!(top.contains("Choosing a pixel"), "{top}");
-    for _ in 0..100 {
+    for _ in 0..150 {
         key(&mut app, KeyCode::Down);
     }
     let bottom = text(&app);
     assert!(bottom.contains("Ctrl-C"), "{bottom}");
-    for _ in 0..100 {
+    for _ in 0..150 {
         key(&mut app, KeyCode::Up);
     }
     assert_eq!(text(&app), top);
@@ -83,6 +124,7 @@ fn the_book_lists_every_key() {
     let sections = [
         (Context::Picture, "choosing a pixel"),
         (Context::Tree, "in the ray tree"),
+        (Context::Question, "before a question"),
         (Context::Prompt, "typing"),
         (Context::Effects, "among the effects"),
         (Context::Places, "in a list"),

@@ -25,7 +25,7 @@ const SIZES: [(u16, u16); 10] = [
     (200, 20),
 ];
 
-const TEXTS: [&str; 14] = [
+const TEXTS: [&str; 20] = [
     "tir\n",
     "samples=2\n",
     "depth=1\n",
@@ -35,6 +35,12 @@ const TEXTS: [&str; 14] = [
     "hits:",
     "99999\n",
     "/R\n",
+    "running sum\n",
+    "throughput of ray 1\n",
+    "L blocked every 3rd\n",
+    "changes:t\n",
+    "accel=kd\n",
+    "order=far-first\n",
     "material.glass.ior=1.3\n",
     "material.mirror.mirror*=0.5\n",
     "light.sun.intensity=[1,0.5,0]\n",

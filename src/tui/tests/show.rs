@@ -17,6 +17,8 @@ fn each_mode_shows_its_numbers_and_colours_come_back() {
         (ShowMode::Error, "standard error"),
         (ShowMode::Normal, "normal"),
         (ShowMode::Object, "object"),
+        (ShowMode::Hit, "Kd"),
+        (ShowMode::Direction, "direction"),
     ] {
         keys(&mut app, "s");
         settle(&mut app);
@@ -35,7 +37,7 @@ fn each_mode_shows_its_numbers_and_colours_come_back() {
     assert_eq!(buffer(&app), colours);
     keys(&mut app, "S");
     settle(&mut app);
-    assert_eq!(app.model.show, Some(ShowMode::Object));
+    assert_eq!(app.model.show, Some(ShowMode::Direction));
 }
 
 #[test]

@@ -69,7 +69,10 @@ pub fn of_source(
         threads: 2,
         size: None,
         at: None,
+        compare: None,
         marks: None,
+        show: None,
+        ask: None,
         folder: PathBuf::new(),
     };
     change(&mut options);
@@ -109,7 +112,11 @@ pub fn buffer(app: &Program) -> Buffer {
 }
 
 pub fn text(app: &Program) -> String {
-    let buffer = buffer(app);
+    text_of(&buffer(app))
+}
+
+/// A screen as lines of text.
+pub fn text_of(buffer: &Buffer) -> String {
     let width = usize::from(buffer.area.width).max(1);
     let line = |cells: &[ratatui::buffer::Cell]| {
         cells

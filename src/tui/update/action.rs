@@ -1,11 +1,11 @@
 //! Actions of the table of keys.
 
 use super::{
-    convergence, edit, effects, flip, history, image, marks, places, play, prompt, ranking, rows,
-    run, search, set,
+    ask, caret, convergence, edit, effects, flip, history, image, marks, places, play, prompt,
+    ranking, rows, run, search, set,
 };
 use crate::debug::fan::Fan;
-use crate::tui::model::{Action, Job, Model, Overlay, Prompt, Request, inside};
+use crate::tui::model::{Action, Job, Model, Overlay, Pane, Prompt, Request, inside};
 
 /// Does what a user asks for.
 pub fn act(model: &mut Model, action: Action) {
@@ -14,6 +14,9 @@ pub fn act(model: &mut Model, action: Action) {
         model.play = None;
     }
     model.running = None;
+    if ask::refuses(model, action) {
+        return;
+    }
     match action {
         Action::Play(forward) => play::play(model, forward),
         Action::Quit => model.request = Request::Quit,
@@ -37,13 +40,7 @@ pub fn act(model: &mut Model, action: Action) {
         Action::GoThere => places::accept(model),
         Action::Switch => effects::switch(model),
         Action::Convergence => convergence::show_or_hide(model),
-        Action::Move(dx, dy) => {
-            let before = model.picture.cursor;
-            model.picture.move_by(dx, dy);
-            if model.picture.cursor != before {
-                image::moved(model);
-            }
-        }
+        Action::Move(dx, dy) => move_by(model, dx, dy),
         Action::Open => {
             history::leave(model);
             image::open(model);
@@ -64,14 +61,27 @@ pub fn act(model: &mut Model, action: Action) {
         Action::Changes => edit::show(model),
         Action::WritePatch => prompt::ask(model, Prompt::WritePatch),
         Action::Ready(next) => prompt::ready(model, next),
-        Action::Erase => prompt::erase(model),
+        Action::Erase(before) => caret::erase(model, before),
+        Action::Caret(by) => caret::move_caret(model, by),
         Action::Accept => prompt::accept(model),
         Action::FindNext(forward) => search::next(model, forward),
         Action::Copy => prompt::copy(model),
         Action::NextInOrder(down) => ranking::next(model, down),
         Action::Outliers => ranking::list(model),
         Action::Show(next) => image::show(model, next),
+        Action::Hint | Action::Reply(_) | Action::Laws | Action::WithOurs | Action::Give => {
+            ask::act(model, action);
+        }
         _ => in_tree(model, action),
+    }
+}
+
+/// Moves the cursor of the picture.
+fn move_by(model: &mut Model, dx: i32, dy: i32) {
+    let before = model.picture.cursor;
+    model.picture.move_by(dx, dy);
+    if model.picture.cursor != before {
+        image::moved(model);
     }
 }
 
@@ -101,10 +111,12 @@ fn in_tree(model: &mut Model, action: Action) {
         Action::Break => prompt::ask(model, Prompt::Break),
         Action::Breaks => places::break_points(model),
         Action::Run(forward) => run::run(model, forward),
+        Action::Watch => prompt::ask(model, Prompt::Watch),
+        Action::Watches => places::watches(model),
+        Action::RunToChange(forward) => run::run_to_change(model, forward),
         Action::Origin(back) => places::origin(model, back),
         Action::Neighbour(dx, dy) => image::neighbour(model, dx, dy),
-        Action::View => layout.axis = layout.axis.next(),
-        Action::Fan => layout.fan = Fan::next(layout.fan),
+        Action::View | Action::Fan => of_scene(model, action),
         Action::Zoom => layout.zoom = !layout.zoom,
         Action::NextPane => layout.focus = layout.focus.next(true),
         Action::PreviousPane => layout.focus = layout.focus.next(false),
@@ -114,6 +126,24 @@ fn in_tree(model: &mut Model, action: Action) {
             rows::move_by(model, by * i32::from(page));
         }
         _ => in_log(model, action),
+    }
+}
+
+/// Looks at the scene from the next side, or draws other eye rays in it. Where the screen has no room for its pane, that takes the
+/// place of the one that has the keys.
+fn of_scene(model: &mut Model, action: Action) {
+    let is_hidden = model.panes().path.is_empty();
+    let layout = &mut model.layout;
+    if is_hidden {
+        layout.focus = Pane::Path;
+        let told = "the scene: Tab goes on to the next pane";
+        model.message = Some(told.to_owned());
+    }
+    match action {
+        Action::Fan => layout.fan = Fan::next(layout.fan),
+        // Who did not see the scene before sees it first as it was.
+        _ if !is_hidden => layout.axis = layout.axis.next(),
+        _ => {}
     }
 }
 
@@ -145,6 +175,8 @@ fn back(model: &mut Model) {
         convergence::hide(model);
     } else if model.layout.zoom && model.session.is_some() {
         model.layout.zoom = false;
+    } else if ask::leaves(model) {
+        // Whoever asked goes on.
     } else if model.session.take().is_some() {
         image::refit(model);
     } else if model.search.is_some() {

@@ -1,5 +1,9 @@
-//! Comparison of the open tree with another one: of another pixel, with another setting or a bent law, or from a file.
+//! Comparison of the open tree with another one: of another pixel, with another setting or a bent law, of another scene, or from a
+//! file.
 
+use std::path::Path;
+
+use super::{compare_scene, compare_steps};
 use crate::debug::Session;
 use crate::debug::edit::in_one_line;
 use crate::grade::compare::Compared;
@@ -9,6 +13,8 @@ use crate::grade::pixel_tree::{self, TreeFileError};
 use crate::grade::quantity::QuantityKind;
 use crate::grade::side_by_side::{RayPair, side_by_side};
 use crate::grade::tolerance::Tolerances;
+use crate::scene::Settings;
+use crate::scene::printable::printable;
 use crate::scene::settings::knobs::set_knob;
 use crate::trace::facts::{PixelFacts, pixel_facts};
 use crate::trace::{Address, document};
@@ -28,11 +34,12 @@ const MOST_COMPARED: usize = 50_000;
 /// The other tree.
 struct OtherTree {
     facts: PixelFacts,
-    /// True if it is of the same pixel of the same scene, so that differences have causes.
-    is_same_pixel: bool,
+    /// What it is, if not the tree of the same pixel of the same scene: then differences have no causes.
+    beside: Option<String>,
 }
 
-/// Compares the open tree with what is typed: X,Y, flag=value or a file.
+/// Compares the open tree with what is typed: X,Y, flag=value, a scene or a file. Other structures and orders are compared step by
+/// step.
 pub fn typed(model: &mut Model, text: &str) -> Result<(), String> {
     let Some(session) = &model.session else {
         return Err("open the ray tree of a pixel first".to_owned());
@@ -40,11 +47,15 @@ pub fn typed(model: &mut Model, text: &str) -> Result<(), String> {
     if session.tree().nodes.len() > MOST_COMPARED {
         return Err("this tree is too large to be compared here; use raytree diff".to_owned());
     }
+    if let Some(list) = compare_steps::list(session, text, model.layout.screen.width) {
+        model.overlay = Some(Overlay::Places(list?));
+        return Ok(());
+    }
     let ours = pixel_facts(&document::of(session.view()));
-    let other = other(session, text)?;
+    let other = other(session, text, &model.options.folder)?;
     let tolerances = Tolerances::default();
     let pairs = side_by_side(&ours, &other.facts, &tolerances);
-    let causes = if other.is_same_pixel {
+    let causes = if other.beside.is_none() {
         TreeDiff::new(
             PixelReference {
                 scene: Some((&*session.world, &session.settings)),
@@ -72,6 +83,28 @@ pub fn typed(model: &mut Model, text: &str) -> Result<(), String> {
     Ok(())
 }
 
+/// Compares the open tree, which is that of a broken tracer, with the tree by these settings. No law is named.
+pub fn with_ours(model: &mut Model, ours: &Settings) -> Result<(), String> {
+    let Some(session) = &model.session else {
+        return Err("open the ray tree of a pixel first".to_owned());
+    };
+    if session.tree().nodes.len() > MOST_COMPARED {
+        return Err("this tree is too large to be compared here".to_owned());
+    }
+    let pixel = (session.trace.x, session.trace.y);
+    let broken = pixel_facts(&document::of(session.view()));
+    let right = pixel_tree::traced(&session.world, ours, pixel);
+    let pairs = side_by_side(&broken, &right, &Tolerances::default());
+    let width = usize::from(model.layout.screen.width.min(124)).saturating_sub(26) / 2;
+    let lines = pairs.iter().take(MOST_RAYS);
+    let lines = lines.map(|pair| line(pair, false, pixel, width));
+    let mut list = PlaceList::new("the broken tracer | ours", lines.collect());
+    "≠ differs, - is not there.".clone_into(&mut list.head);
+    list.chosen = pairs.iter().position(|pair| !pair.is_same()).unwrap_or(0);
+    model.overlay = Some(Overlay::Places(list));
+    Ok(())
+}
+
 /// What differs, in words.
 fn head(
     session: &Session,
@@ -88,8 +121,8 @@ fn head(
             pairs.iter().map(|p| 1 + p.folded).sum::<usize>()
         );
     }
-    if !other.is_same_pixel {
-        return format!("Pixel {x},{y} beside pixel {text}; ≠ differs, - is not there.");
+    if let Some(other) = &other.beside {
+        return format!("Pixel {x},{y} beside {other}; ≠ differs, - is not there.");
     }
     let open = |compared: &Compared| format!("opens by :{x},{y}{}", compared.path);
     let this = format!("{x},{y}");
@@ -144,7 +177,7 @@ fn line(pair: &RayPair, is_cause: bool, pixel: (u32, u32), width: usize) -> Plac
 }
 
 /// The other tree.
-fn other(session: &Session, text: &str) -> Result<OtherTree, String> {
+fn other(session: &Session, text: &str, folder: &Path) -> Result<OtherTree, String> {
     let here = (session.trace.x, session.trace.y);
     if let Some((flag, value)) = text.split_once('=') {
         let mut settings = session.settings;
@@ -159,7 +192,7 @@ fn other(session: &Session, text: &str) -> Result<OtherTree, String> {
         }
         return Ok(OtherTree {
             facts: pixel_tree::traced(&session.world, &settings, here),
-            is_same_pixel: true,
+            beside: None,
         });
     }
     if let Some(pixel) = pixel_of(text) {
@@ -171,7 +204,13 @@ fn other(session: &Session, text: &str) -> Result<OtherTree, String> {
         }
         return Ok(OtherTree {
             facts: pixel_tree::traced(&session.world, &session.settings, pixel),
-            is_same_pixel: pixel == here,
+            beside: (pixel != here).then(|| format!("pixel {text}")),
+        });
+    }
+    if let Some(facts) = compare_scene::tree(session, text, folder) {
+        return Ok(OtherTree {
+            facts: facts?,
+            beside: Some(format!("the same pixel of scene {}", printable(text))),
         });
     }
     if text == "-" {
@@ -183,7 +222,7 @@ fn other(session: &Session, text: &str) -> Result<OtherTree, String> {
     })?;
     Ok(OtherTree {
         facts,
-        is_same_pixel: true,
+        beside: None,
     })
 }
 

@@ -32,6 +32,9 @@ pub fn start(model: &mut Model) {
     let is_inside = |(x, y): &(u32, u32)| *x < width && *y < height;
     if let Some(pixel) = at.filter(is_inside) {
         model.picture.cursor = pixel;
+        if model.ask.as_ref().is_some_and(|ask| ask.at.is_some()) {
+            model.picture.hidden = Some(pixel);
+        }
         image::open(model);
     } else if let Some((x, y)) = at {
         model.options.at = None;

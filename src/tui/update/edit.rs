@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use super::undo::{check_ready, remember, take};
-use super::{image, marks};
+use super::{caret, image, marks};
 use crate::debug::edit::{EditedWorld, kept_effects, told};
 use crate::scene::Edit;
 use crate::scene::printable::shell_word;
@@ -90,7 +90,7 @@ pub fn take_in(model: &mut Model, changed: Result<Box<EditedWorld>, String>) {
         (Err(problem), typed) => {
             model.message = Some(problem);
             if let (Some(text), None) = (typed, &model.overlay) {
-                model.overlay = Some(Overlay::Prompt(Prompt::Set, text));
+                caret::show(model, Prompt::Set, text);
             }
         }
     }

@@ -6,12 +6,14 @@ use ratatui::layout::Rect;
 use strum::VariantArray as _;
 
 use super::convergence;
+use crate::debug::horizon::BEHIND;
 use crate::debug::pick::description;
 use crate::lab::show::ShowMode;
 use crate::trace::Address;
 use crate::trace::facts::TreePath;
+use crate::tui::model::ask::AskState;
 use crate::tui::model::layout::Shown;
-use crate::tui::model::{Job, Model, Panes};
+use crate::tui::model::{Job, Model};
 
 /// The screen has another size.
 pub fn resize(model: &mut Model, screen: Rect) {
@@ -33,7 +35,7 @@ pub fn refit(model: &mut Model) {
 /// Gives the image the size of its pane, unless the command line chose one; the cursor stays at the corresponding
 /// pixel. True if anything changed.
 pub fn fit(model: &mut Model) -> bool {
-    let pane = Panes::new(model.layout.screen, Shown::Picture).picture;
+    let pane = model.panes_for(model.layout.screen, Shown::Picture).picture;
     let visible = (
         u32::from(pane.width).max(1),
         2 * u32::from(pane.height).max(1),
@@ -92,6 +94,9 @@ pub fn go_to(model: &mut Model, address: Address) -> Result<(), String> {
         && address.pixel == (session.trace.x, session.trace.y)
     {
         return session.go_to_address(&address);
+    }
+    if model.ask.as_ref().is_some_and(AskState::hides) {
+        return Err(BEHIND.to_owned());
     }
     model.picture.cursor = address.pixel;
     moved(model);

@@ -3,7 +3,7 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::action::act;
-use super::prompt;
+use super::{ask, caret};
 use crate::tui::model::bindings::lookup;
 use crate::tui::model::{Context, Model};
 
@@ -11,7 +11,7 @@ use crate::tui::model::{Context, Model};
 pub fn paste(model: &mut Model, text: &str) {
     if model.context() == Context::Prompt {
         for letter in text.trim().chars() {
-            prompt::typed(model, letter);
+            caret::typed(model, letter);
         }
     } else {
         let told = "pasted text goes into prompts only: : goes to an address, / finds";
@@ -40,7 +40,10 @@ pub fn press(model: &mut Model, key: KeyEvent) -> bool {
         .modifiers
         .intersects(KeyModifiers::CONTROL | KeyModifiers::ALT);
     if let (Context::Prompt, KeyCode::Char(letter), true) = (model.context(), key.code, is_text) {
-        prompt::typed(model, letter);
+        caret::typed(model, letter);
+        return true;
+    }
+    if ask::press(model, key) {
         return true;
     }
     let action = lookup(model.context(), key);

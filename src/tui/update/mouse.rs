@@ -3,6 +3,8 @@
 use ratatui::layout::Position;
 
 use super::{image, rows};
+use crate::debug::horizon::BEHIND;
+use crate::tui::model::ask::AskState;
 use crate::tui::model::first::{first_row, first_step, step_rows};
 use crate::tui::model::{Model, Mouse, Pane, inside};
 
@@ -63,6 +65,10 @@ fn pick(model: &mut Model, mouse: Mouse, at: Position) {
     let Some(pixel) = model.placement(&model.panes()).pixel(at) else {
         return;
     };
+    if model.ask.as_ref().is_some_and(AskState::hides) {
+        model.message = Some(BEHIND.to_owned());
+        return;
+    }
     let again = pixel == model.picture.cursor && mouse == Mouse::Press;
     model.picture.cursor = pixel;
     image::moved(model);

@@ -1,6 +1,6 @@
 //! Results of the worker.
 
-use super::{edit, search};
+use super::{ask, compare, edit, search};
 use crate::debug::progressive::DrawnPixel;
 use crate::lab::show::ShownValue;
 use crate::tui::model::{JobOutput, Model};
@@ -47,9 +47,15 @@ pub fn take_in(model: &mut Model, output: JobOutput) {
             } else if let Some(search) = &model.search {
                 session.find_first(&search.query);
             }
+            ask::opened(model, &mut session);
             model.session = Some(session);
             model.layout.scroll = 0;
             model.waiting = None;
+            if let Some(text) = model.options.compare.take()
+                && let Err(problem) = compare::typed(model, &text)
+            {
+                model.message = Some(problem);
+            }
         }
     }
 }

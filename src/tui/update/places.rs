@@ -1,9 +1,10 @@
 //! Lists of places: where numbers come from and go, the samples of the pixel, the break points.
 
-use super::{history, image};
-use crate::debug::breaks;
+use super::{ask, history, image};
+use crate::debug::log_run;
 use crate::debug::origin::{OriginPlace, origins, uses};
 use crate::debug::samples::samples;
+use crate::debug::watch::Watch;
 use crate::trace::explain::source_text;
 use crate::trace::facts::TreePath;
 use crate::trace::{Address, explain};
@@ -96,11 +97,11 @@ pub fn break_points(model: &mut Model) {
     let line = |(text, first): (String, Option<usize>)| PlaceLine {
         place: match first {
             Some(event) => LineGoal::Event(event),
-            None => LineGoal::Told("this tree has none".to_owned()),
+            None => LineGoal::Told("none stands near the start: x runs to the next".to_owned()),
         },
         text,
     };
-    let lines: Vec<_> = breaks::list(session, &model.breaks)
+    let lines: Vec<_> = log_run::list(session, &model.breaks)
         .into_iter()
         .map(line)
         .collect();
@@ -109,6 +110,32 @@ pub fn break_points(model: &mut Model) {
         return;
     }
     model.overlay = Some(Overlay::Places(PlaceList::new("break points", lines)));
+}
+
+/// Shows the watched numbers; each leads to the step that told it.
+pub fn watches(model: &mut Model) {
+    let Some(session) = &model.session else {
+        return;
+    };
+    if model.watches.is_empty() {
+        model.message = Some("no number is watched: * watches one".to_owned());
+        return;
+    }
+    let here = session.cursor().position();
+    let line = |watch: &Watch| {
+        let state = watch.state(session, here);
+        PlaceLine {
+            text: state.told(&watch.text),
+            place: match state.now {
+                Some(now) => LineGoal::Event(now.event),
+                None => LineGoal::Told(format!("no step near before this tells {}", watch.text)),
+            },
+        }
+    };
+    let lines = model.watches.iter().map(line).collect();
+    let mut list = PlaceList::new("watched numbers", lines);
+    "≠ changes at this step; ) runs to the next change, ( back".clone_into(&mut list.head);
+    model.overlay = Some(Overlay::Places(list));
 }
 
 /// Goes to the chosen place of a list.
@@ -127,6 +154,7 @@ pub fn accept(model: &mut Model) {
             }
         }
         LineGoal::Address(address) => model.message = image::go_to(model, address).err(),
+        LineGoal::Law(law) => ask::give_law(model, law),
         LineGoal::Told(text) => model.message = Some(text),
     }
 }

@@ -1,33 +1,14 @@
 //! Prompt: a text that is typed, to go somewhere, to search, to change a setting, to compare.
 
-use super::{compare, edit, history, image, marks, run, search, set};
+use super::{caret, compare, edit, history, image, marks, run, search, set};
+use crate::debug::horizon::BEHIND;
+use crate::debug::watch;
 use crate::tui::model::examples::examples;
 use crate::tui::model::{Model, Overlay, Prompt};
 
-/// Letters of a text at most.
-const MOST_LETTERS: usize = 200;
-
 /// Asks for a text.
 pub fn ask(model: &mut Model, prompt: Prompt) {
-    model.overlay = Some(Overlay::Prompt(prompt, String::new()));
-}
-
-/// A letter was typed.
-pub fn typed(model: &mut Model, letter: char) {
-    model.message = None;
-    if let Some(Overlay::Prompt(_, text)) = &mut model.overlay
-        && !letter.is_control()
-        && text.chars().count() < MOST_LETTERS
-    {
-        text.push(letter);
-    }
-}
-
-/// Deletes the last letter.
-pub fn erase(model: &mut Model) {
-    if let Some(Overlay::Prompt(_, text)) = &mut model.overlay {
-        text.pop();
-    }
+    caret::show(model, prompt, String::new());
 }
 
 /// Puts the next (previous) ready text into the prompt.
@@ -36,6 +17,9 @@ pub fn ready(model: &mut Model, next: bool) {
         return;
     };
     let (prompt, mut texts) = (*prompt, examples(*prompt, &model.world.scene));
+    if let (Prompt::Watch, Some(session)) = (prompt, &model.session) {
+        texts = watch::names(session);
+    }
     let count = texts.len();
     if count == 0 {
         return;
@@ -47,7 +31,7 @@ pub fn ready(model: &mut Model, next: bool) {
         (Some(at), true) => (at + 1) % count,
         (Some(at), false) => (at + count - 1) % count,
     };
-    model.overlay = Some(Overlay::Prompt(prompt, texts.swap_remove(at)));
+    caret::show(model, prompt, texts.swap_remove(at));
 }
 
 /// Takes the text. What cannot be meant is told, and the prompt stays.
@@ -64,6 +48,7 @@ pub fn accept(model: &mut Model) {
         Prompt::Write => marks::write(model, text.trim()),
         Prompt::WritePatch => edit::write(model, text.trim()),
         Prompt::Break => run::toggle(model, text.trim()),
+        Prompt::Watch => run::watch(model, text.trim()),
         Prompt::GoTo => {
             history::leave(model);
             go_to(model, text.trim())
@@ -86,6 +71,9 @@ fn go_to(model: &mut Model, text: &str) -> Result<(), String> {
     let number = text.strip_prefix('#').unwrap_or(text).parse::<usize>();
     if let (Ok(number), Some(session)) = (number, &mut model.session) {
         let count = session.tree().events.len();
+        if number >= count && session.horizon().is_some() {
+            return Err(BEHIND.to_owned());
+        }
         if number >= count {
             return Err(format!(
                 "there is no event {number}: the last one is {}",

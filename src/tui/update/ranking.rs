@@ -85,7 +85,9 @@ pub fn list(model: &mut Model) {
 /// What the pixels are ordered by.
 fn what(model: &Model) -> &'static str {
     match model.show {
-        Some(ShowMode::Normal | ShowMode::Object) | None => "luminance",
+        Some(ShowMode::Normal | ShowMode::Object | ShowMode::Hit | ShowMode::Direction) | None => {
+            "luminance"
+        }
         Some(mode) => mode.unit(),
     }
 }

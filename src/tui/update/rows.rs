@@ -1,15 +1,18 @@
 //! Moves by rows of the focused pane, and scrolling of the help and the warnings.
 
+use crate::debug::horizon::BEHIND;
 use crate::tui::model::layout::covered;
 use crate::tui::model::{Model, Overlay, Pane, inside};
-use crate::tui::panes::{details, help, report, warnings};
+use crate::tui::panes::{details, help, report, warnings, watches};
 
 /// Goes down (up, if negative) by so many rows of the focused pane.
 pub fn move_by(model: &mut Model, by: i32) {
-    let details = inside(model.panes().details);
+    let mut details = inside(model.panes().details);
+    details.height -= watches::rows(model, details.height);
     let Some(session) = &mut model.session else {
         return;
     };
+    let before = session.cursor();
     match model.layout.focus {
         Pane::Tree | Pane::Picture => {
             let row = session.row().saturating_add_signed(by as isize);
@@ -23,6 +26,10 @@ pub fn move_by(model: &mut Model, by: i32) {
         }
         Pane::Steps => session.go_by_steps(by),
         Pane::Path => session.go_by_rays(by),
+    }
+    let stays = session.cursor() == before && model.layout.focus != Pane::Details;
+    if stays && by > 0 && session.horizon().is_some() {
+        model.message = Some(BEHIND.to_owned());
     }
 }
 

@@ -21,7 +21,10 @@ pub fn start(model: &mut Model, text: &str) -> Result<(), String> {
     }
     search.is_new = model.session.is_none();
     model.search = Some(search);
-    model.jobs.push(Job::Search);
+    // Which pixels satisfy it may tell what is asked.
+    if model.picture.hidden.is_none() {
+        model.jobs.push(Job::Search);
+    }
     Ok(())
 }
 

@@ -100,6 +100,7 @@ fn is_flat(shapes: &[Shape]) -> bool {
         Shape::Triangle(triangle) => Some((triangle.corners[0], triangle.normal()?)),
         Shape::Plane(plane) => Some((plane.origin(), plane.normal())),
         Shape::Disc(disc) => Some((disc.center, disc.frame.w)),
+        Shape::Polygon(polygon) => Some((polygon.center(), polygon.normal())),
         _ => None,
     };
     let Some((origin, normal)) = shapes.first().and_then(plane) else {
@@ -121,6 +122,7 @@ fn ends_nowhere(checked: &Checked, shapes: &[Shape]) -> bool {
         Shape::Triangle(t) => Some((t.corners.iter().sum::<DVec3>() / 3.0, t.normal()?)),
         Shape::Plane(plane) => Some((plane.origin(), plane.normal())),
         Shape::Disc(disc) => Some((disc.center, disc.frame.w)),
+        Shape::Polygon(polygon) => Some((polygon.center(), polygon.normal())),
         _ => None,
     });
     through.is_some_and(|(point, normal)| {

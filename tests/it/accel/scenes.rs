@@ -1,7 +1,10 @@
 //! Scenes and rays by chance, of the kinds that trees find hard: what lies in planes, on grids, on top of each other.
 
 use glam::{DAffine3, DQuat};
-use raytree::geometry::{Aabb, Cuboid, Disc, Plane, Shape, Sphere, Transformed, Triangle};
+use raytree::geometry::{
+    Aabb, BezierSurface, Body, Csg, CsgOp, CsgTree, Cuboid, Disc, Plane, Polygon, Quadric, Shape,
+    Sheets, Solid, Sphere, Torus, Transformed, Triangle,
+};
 use raytree::math::{DVec3, Interval, Ray, Transform};
 
 use crate::random::Random;
@@ -25,9 +28,10 @@ pub enum Style {
     Stack,
     Duplicates,
     Mixed,
+    Bodies,
 }
 
-pub const STYLES: [Style; 7] = [
+pub const STYLES: [Style; 8] = [
     Style::Soup,
     Style::Grid,
     Style::Slivers,
@@ -35,6 +39,7 @@ pub const STYLES: [Style; 7] = [
     Style::Stack,
     Style::Duplicates,
     Style::Mixed,
+    Style::Bodies,
 ];
 
 /// Where a scene's points go in the world.
@@ -87,6 +92,7 @@ pub fn scene(style: Style, count: usize, frame: Frame, random: &mut Random) -> V
                 frame.triangle([0, 1, 2].map(|k| corners[(k + turn) % 3]))
             }
             Style::Mixed => mixed(i, frame, random),
+            Style::Bodies => solid(i, frame, random),
         })
         .collect()
 }
@@ -126,6 +132,74 @@ pub fn mixed(i: usize, frame: Frame, random: &mut Random) -> Shape {
         }
         3 if i == 3 => Shape::Plane(Box::new(Plane::new(center, random.direction()))),
         _ => frame.triangle([random.point(), random.point(), grid_point(random)]),
+    }
+}
+
+/// A solid with parts, a polygon or a leaf of a patch, turned and stretched anyhow.
+pub fn solid(i: usize, frame: Frame, random: &mut Random) -> Shape {
+    let size = frame.scale * (0.1 + 0.4 * random.unit().abs());
+    let center = frame.place(grid_point(random));
+    let corner = |x: f64, y: f64| center + size * DVec3::new(x, y, 0.3 * x);
+    if i % 8 == 6 {
+        let rim = [
+            [0.0, 0.0],
+            [2.0, 0.0],
+            [2.0, 1.0],
+            [1.0, 1.0],
+            [1.0, 2.0],
+            [0.0, 2.0],
+        ];
+        let polygon = Polygon::new(&[rim.map(|[x, y]| corner(x, y)).to_vec()]);
+        return Shape::Polygon(Box::new(polygon.expect("an area")));
+    }
+    if i % 8 == 7 {
+        let mut point = |i: usize, j: usize| {
+            corner(i as f64 / 3.0, j as f64 / 3.0) + 0.3 * size * random.point()
+        };
+        let rows = (0..4)
+            .map(|j| (0..4).map(|i| point(i, j)).collect())
+            .collect();
+        let surface = BezierSurface {
+            degree: [3, 3],
+            patches: vec![rows],
+            weights: None,
+            ranges: None,
+        };
+        let leaf = surface.leaves().expect("a patch").swap_remove(0);
+        return Shape::Patch(Box::new(leaf));
+    }
+    let turn = DQuat::from_axis_angle(random.direction(), 3.0 * random.unit());
+    let stretch = DVec3::new(1.0, 1.0 + random.unit().abs(), 0.7);
+    let to_world = DAffine3::from_scale_rotation_translation(size * stretch, turn, center);
+    Shape::Transformed(Box::new(Transformed {
+        shape: Shape::Body(Box::new(body(i))),
+        transform: Transform::new(to_world).expect("it can be undone"),
+    }))
+}
+
+/// A body of about the size of 1, by its number.
+pub fn body(i: usize) -> Body {
+    match i % 6 {
+        0 => Body::Quadric(Quadric::cylinder(0.5, 1.0)),
+        1 => Body::Quadric(Quadric::cone(0.8, 0.0, 0.7)),
+        2 => Body::Quadric(Quadric::hyperboloid(0.2, 0.8, 1.0, Sheets::Two)),
+        3 => Body::Torus(Torus {
+            major: 0.8,
+            minor: 0.25,
+        }),
+        4 => Body::Quadric(Quadric::paraboloid(0.8, 0.5)),
+        _ => {
+            let ball = Shape::Sphere(Sphere {
+                center: DVec3::ZERO,
+                radius: 1.2,
+            });
+            let cube = Shape::Cuboid(Cuboid {
+                bounds: Aabb::around([-DVec3::ONE, DVec3::ONE]),
+            });
+            let leaves = [cube, ball].map(|shape| CsgTree::Leaf(Solid::Shape(shape)));
+            let tree = CsgTree::Op(CsgOp::Difference, leaves.to_vec());
+            Body::Csg(Csg::new(tree).expect("a solid"))
+        }
     }
 }
 

@@ -47,8 +47,8 @@ fn a_missing_field_is_shown_with_its_value() {
         (
             r#""objects": [{"mesh": {"name": "a", "material": "m", "vertices": []}}]"#,
             &[
-                "`triangles` is missing",
-                "add \"triangles\": [[1, 1, 1], ...]",
+                "the mesh has neither triangles nor polygons",
+                "list them, such as \"triangles\": [[0, 1, 2]]",
             ],
         ),
     ] {
@@ -96,8 +96,8 @@ fn a_kind_in_the_wrong_place_is_put_around_the_fields() {
         ),
         // A kind that nothing tells.
         (
-            r#""objects": [{"torus": {"name": "a"}}]"#,
-            "there is no kind `torus`",
+            r#""objects": [{"blob": {"name": "a"}}]"#,
+            "there is no kind `blob`",
             "possible here: sphere, plane",
         ),
         // Beside the fields.
@@ -159,5 +159,29 @@ fn a_wrong_type_is_shown_with_the_right_one() {
         ),
     ] {
         assert_says(&said(rest), &[found, shape]);
+    }
+}
+
+#[test]
+fn a_csg_that_cannot_be_made_says_why_and_what_to_do() {
+    let csg = |parts: &str| {
+        said(&format!(
+            r#""materials": {{"m": {{}}}}, "objects": [{{"csg": {{"name": "c", "material": "m", "op": "union", "parts": [{parts}]}}}}]"#
+        ))
+    };
+    for (parts, what, cure) in [
+        (
+            r#"{"plane": {"name": "p", "point": [0, 0, 0], "normal": [0, 1, 0]}}"#,
+            "the csg `c` has no end, since half-spaces",
+            "intersect the whole with a solid that has an end",
+        ),
+        (
+            r#"{"cone": {"name": "p", "base": [0, 0, 0], "top": [0, 1, 0], "radius": 1, "open": true}}"#,
+            "has a cone without an inside as its part number 1",
+            "leave out `open`",
+        ),
+        ("", "has a union of no parts", "give it at least one"),
+    ] {
+        assert_says(&csg(parts), &[what, cure]);
     }
 }

@@ -84,7 +84,7 @@ fn what_is_no_command_is_met_with_the_command_that_takes_it() {
         (scene.as_str(), quoted.as_str()),
         ("rendr", "did you mean `raytree render`?"),
         ("whited", "did you mean `raytree view whitted`?"),
-        ("foo", "view, render, trace"),
+        ("foo", "view, render, raster, trace"),
     ] {
         refused(&[word], 2, &[word, said]);
     }

@@ -48,6 +48,15 @@ fn lines_have_the_numbers_of_the_json() {
                     radius,
                     ..
                 } => ("disc", [&center[..], &normal[..], &[*radius]].concat()),
+                FlatObject::Polygon { loops, .. } => {
+                    let mut all = vec![loops.len() as f64];
+                    for corners in loops {
+                        all.push(corners.len() as f64);
+                        all.extend(corners.iter().flatten());
+                    }
+                    ("polygon", all)
+                }
+                other => panic!("{other:?} is not in the text form"),
             };
             assert_eq!((line[0].as_str(), numbers(line, 2)), (kind, expected));
             assert_eq!(line[1].replace("%20", " "), object.name());

@@ -7,9 +7,9 @@ use super::lexer::{Token, closing, code};
 use super::uses::paths;
 
 /// From the ground up: a file may use its own layer and those before it.
-pub const LAYERS: [&str; 16] = [
+pub const LAYERS: [&str; 17] = [
     "math", "sampling", "geometry", "probe", "accel", "shading", "scene", "world", "tracer",
-    "trace", "reduce", "lab", "debug", "grade", "cli", "tui",
+    "trace", "reduce", "lab", "debug", "grade", "lesson", "cli", "tui",
 ];
 
 /// The faces: only they may talk to a user. Each may use all the rest.

@@ -27,7 +27,7 @@ const SIZES: [(u16, u16); 10] = [
 ];
 
 /// What is typed, beside single letters: escape sequences of keys, pastes, clicks, and texts for prompts.
-const INPUT: [&str; 28] = [
+const INPUT: [&str; 38] = [
     "\r",
     "\r",
     "\x1b[A",
@@ -53,13 +53,23 @@ const INPUT: [&str; 28] = [
     "\x1b[<0;70;20M",
     "\x1b[<64;70;20M",
     "\x1b[<65;90;5M",
+    "\x1b[H",
+    "\x1b[F",
+    "\x1b[3~",
+    "*running sum\r",
+    "*t\r",
+    "bL blocked every 3rd\r",
+    "bchanges:depth\r",
+    "daccel=kd\r",
+    "dorder=far-first\r",
+    "))((",
     "xxXX",
     "ww",
     ",.",
 ];
 
 /// All letters but those that end the program at the picture.
-const LETTERS: &str = "abcdefghijklmnoprstuvwyzABCDEFGHIJKLMNOPRSTUVWXYZ<>[]{}+!?'";
+const LETTERS: &str = "abcdefghijklmnoprstuvwyzABCDEFGHIJKLMNOPRSTUVWXYZ<>[]{}+!?*#()'";
 
 #[test]
 fn whatever_is_typed_it_goes_on() {

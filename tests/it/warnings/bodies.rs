@@ -254,3 +254,17 @@ fn equal_priorities_where_bodies_overlap_in_part() {
     // All of one material: whichever it is, light is bent alike.
     silent(&balls([-0.4, 0.4], [0.6, 0.6], 0).replace("\"water\",", "\"glass\","));
 }
+
+#[test]
+fn a_part_that_nothing_uses() {
+    let parts = r#""parts": {"a": [], "b": []}, "#;
+    let used = r#"{"use": {"name": "u", "part": "a"}}, {"sphere""#;
+    let ball = super::ball(super::RED).replace(r#"{"sphere""#, used);
+    let text = super::file(&format!("{parts}{ball}"));
+    super::warns(
+        &text,
+        "unused-part",
+        &["parts.b", "nothing uses the part `b`"],
+    );
+    super::silent(&text.replace(r#", "b": []"#, ""));
+}

@@ -83,6 +83,8 @@ impl<C: Collect, P: Probe> Search<'_, C, P> {
         // Children, the nearest on top: where the ray enters (not negative, so its bits sort as it does), and which.
         let mut stack = [0u64; STACK];
         let mut count = 0;
+        // Where the ray leaves each child that it met: only a log asks.
+        let mut exits: Vec<(u32, f32)> = Vec::new();
         let hit = self.found.closest();
         let mut max = hit.map_or(local.max, |hit| smaller(local.max, local.not_before(hit.t)));
         let mut id = 0;
@@ -93,6 +95,7 @@ impl<C: Collect, P: Probe> Search<'_, C, P> {
             let mut met = level.le8(&near, &far);
             if P::TRAVERSAL {
                 self.tell_children(id, local, (&near, &far), met);
+                exits.extend(node.children.into_iter().zip(far));
             }
             let first = count;
             while met != 0 {
@@ -120,7 +123,8 @@ impl<C: Collect, P: Probe> Search<'_, C, P> {
                 // A hit at the very entry does not count: one beyond it may be as close and have the smaller id.
                 if enter > max {
                     if P::TRAVERSAL {
-                        let part = Interval::new(local.world(enter), query.interval.max);
+                        let exit = exit_of(&exits, child, local.max);
+                        let part = Interval::new(local.world(enter), local.world(exit));
                         let step = Visit::end(tree.number(child), part, Choice::SkippedCloserHit);
                         tell!(self.probe, step);
                     }
@@ -131,7 +135,8 @@ impl<C: Collect, P: Probe> Search<'_, C, P> {
                 }
                 let leaf = &tree.leaves[(child & !LEAF_BIT) as usize];
                 if P::TRAVERSAL {
-                    let part = Interval::new(local.world(enter), local.world(max));
+                    let exit = exit_of(&exits, child, max);
+                    let part = Interval::new(local.world(enter), local.world(exit));
                     tell!(
                         self.probe,
                         Visit::end(tree.number(child), part, Choice::Leaf)
@@ -194,6 +199,12 @@ impl<C: Collect, P: Probe> Search<'_, C, P> {
             tell!(self.probe, Visit::end(number, part, Choice::SkippedMissed));
         }
     }
+}
+
+/// Where the ray leaves a child of a node that it was in, at most `max`.
+fn exit_of(exits: &[(u32, f32)], child: u32, max: f32) -> f32 {
+    let told = exits.iter().rev().find(|(other, _)| *other == child);
+    told.map_or(max, |(_, exit)| smaller(*exit, max))
 }
 
 /// Where the ray enters each box and where it leaves it, cut to the interval.

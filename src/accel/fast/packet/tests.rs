@@ -25,7 +25,7 @@ impl Random {
 }
 
 pub fn bits(hit: Option<Hit>) -> Option<(u32, u64, [u64; 3])> {
-    hit.map(|h| (h.primitive, h.t.to_bits(), h.barycentric.map(f64::to_bits)))
+    hit.map(|h| (h.primitive, h.t.to_bits(), h.place.map(f64::to_bits)))
 }
 
 /// Small triangles on a grid of quarters, so that rays to their corners meet edges and corners exactly.

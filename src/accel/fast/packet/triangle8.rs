@@ -125,7 +125,8 @@ impl Hits8 {
         Hit {
             t: self.t[lane],
             primitive,
-            barycentric: [u[lane], v[lane], w[lane]],
+            part: 0,
+            place: [u[lane], v[lane], w[lane]],
         }
     }
 }

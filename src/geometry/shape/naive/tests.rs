@@ -1,7 +1,7 @@
 //! Other arithmetic agrees with ours where nothing is hard, and never brings a NaN.
 
 use super::*;
-use crate::geometry::{Cuboid, Disc, Plane, Sphere, Transformed, Triangle};
+use crate::geometry::{Cuboid, Disc, Plane, QuarticMethod, Sphere, Transformed, Triangle};
 use crate::math::Transform;
 
 const CHOICES: usize = 3 * 2 * 2;
@@ -11,6 +11,7 @@ fn arithmetic(i: usize) -> Arithmetic {
     Arithmetic {
         triangle: TriangleTest::ALL[i % 3],
         quadratic: Quadratic::ALL[i / 3 % 2],
+        quartic: QuarticMethod::ALL[i % 3],
         precision: Precision::ALL[i / 6],
         offset: Offset::Bounded,
     }
@@ -120,7 +121,9 @@ fn the_offset_is_what_was_asked_for() {
                 offset,
                 ..Arithmetic::default()
             };
-            let at = shape.computed_with(arithmetic).surface(&ray, t, [0.0; 3]);
+            let at = shape
+                .computed_with(arithmetic)
+                .surface(&ray, t, [0.0; 3], 0);
             let origin =
                 crate::math::rounding::offset_origin(at.point, at.error, at.normal, at.normal);
             (origin - ray.at(t)).dot(at.normal)
@@ -159,9 +162,9 @@ fn no_number_makes_a_nan() {
                 continue;
             }
             let found = naive.intersect(&ray, &Shear::new(&ray), Interval::FORWARD);
-            if let Intersection::Hit { t, barycentric } = found {
+            if let Intersection::Hit { t, place, .. } = found {
                 assert!(
-                    t.is_finite() && barycentric.iter().all(|w| w.is_finite()),
+                    t.is_finite() && place.iter().all(|w| w.is_finite()),
                     "{arithmetic:?} {shape:?} {ray:?}"
                 );
             }

@@ -1,5 +1,7 @@
 //! Transforms in a scene file: lists of steps, applied in the order in which they stand.
 
+use std::fmt;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +19,28 @@ pub enum TransformStep {
     Scale(ScaleFile),
     /// Any affine map: three rows of four numbers, of which the last are a translation.
     Matrix([[f64; 4]; 3]),
+}
+
+impl fmt::Display for TransformStep {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        // Debug writes large numbers with exponents.
+        let vector = |[x, y, z]: Triple| {
+            format!("({x:?}, {y:?}, {z:?})")
+                .replace(".0,", ",")
+                .replace(".0)", ")")
+        };
+        match self {
+            Self::Translate(by) => write!(f, "moved by {}", vector(*by)),
+            Self::Rotate(by) => {
+                let angle = format!("{:?}", by.degrees);
+                let angle = angle.strip_suffix(".0").unwrap_or(&angle);
+                write!(f, "turned by {angle} degrees around {}", vector(by.axis))
+            }
+            Self::Scale(ScaleFile::Even(by)) => write!(f, "stretched by {by:?}"),
+            Self::Scale(ScaleFile::Axes(by)) => write!(f, "stretched by {}", vector(*by)),
+            Self::Matrix(_) => write!(f, "mapped by a matrix"),
+        }
+    }
 }
 
 /// A rotation, counter-clockwise when the axis points to the viewer.

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use super::check::Checked;
-use super::cut::triangulate;
 use crate::math::{DVec2, DVec3};
+use crate::scene::read::cut::triangulate;
 use crate::scene::read::mesh::Mesh;
 use crate::scene::warning::WarningCode;
 

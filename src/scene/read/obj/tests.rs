@@ -1,7 +1,7 @@
 //! Cutting polygons into triangles.
 
-use super::cut::triangulate;
 use crate::math::DVec3;
+use crate::scene::read::cut::triangulate;
 
 fn area(corners: &[DVec3], triangles: &[[usize; 3]]) -> f64 {
     let double = |t: &[usize; 3]| {

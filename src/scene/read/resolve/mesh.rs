@@ -32,7 +32,7 @@ impl Resolver {
         material: u32,
         mut mesh: Mesh,
     ) -> Result<(), SceneError> {
-        self.begin(&header.name, material, &header.path)?;
+        self.begin(header, material)?;
         if header.to_world.is_some_and(|map| map.flips_handedness()) {
             mesh.turn();
             if let Some(object) = self.scene.objects.last_mut() {

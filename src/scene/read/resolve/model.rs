@@ -56,8 +56,8 @@ impl Resolver {
             };
             let header = Header {
                 name,
-                to_world: header.to_world,
                 path: header.path.clone(),
+                ..*header
             };
             self.add_placed(&header, material, part.mesh.sharing(&shared))?;
         }

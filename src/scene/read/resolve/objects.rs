@@ -11,10 +11,10 @@ use crate::scene::read::file::ObjectFile;
 
 impl Resolver {
     /// Adds the objects of a group, or all of the file.
-    pub fn add_objects(
+    pub fn add_objects<'f>(
         &mut self,
-        objects: &[ObjectFile],
-        group: &Group,
+        objects: &'f [ObjectFile],
+        group: &Group<'f>,
         path: &FieldPath,
     ) -> Result<(), SceneError> {
         if group.depth > MAX_GROUP_DEPTH {
@@ -29,40 +29,47 @@ impl Resolver {
         Ok(())
     }
 
-    fn add_object(
+    fn add_object<'f>(
         &mut self,
-        object: &ObjectFile,
-        group: &Group,
+        object: &'f ObjectFile,
+        group: &Group<'f>,
         path: &FieldPath,
     ) -> Result<(), SceneError> {
         let common = object.common();
         let path = path.key(common.kind);
+        self.count_placed(group, &path)?;
         check::rotations(common.transform, &path, &mut self.warnings);
         let own = surface(object, &path)?;
         let header = Header::new(&common, group, path)?;
-        let material = match common.material {
+        let own_material = match common.material {
             Some(name) => Some(self.material(name, &header.path)?),
             None => None,
         };
+        let material = group.material.or(own_material);
         match (object, own, material) {
             (ObjectFile::Group(file), ..) => {
-                let inner = Group {
-                    prefix: format!("{}/", header.name),
-                    to_world: header.to_world,
-                    depth: group.depth + 1,
-                };
+                let inner = self.inner(&header, &file.transform, group);
                 self.add_objects(&file.objects, &inner, &header.path.key("objects"))
             }
+            (ObjectFile::Use(file), ..) => self.add_use(file, material, &header, group),
+            (ObjectFile::Bezier(file), _, Some(material)) => {
+                self.add_bezier(file, material, &header)
+            }
+            (ObjectFile::Nurbs(file), _, Some(material)) => self.add_nurbs(file, material, &header),
+            (ObjectFile::Csg(file), _, Some(material)) => self.add_csg(file, material, &header),
             (ObjectFile::Obj(file), _, material) => self.add_model(&file.file, material, &header),
-            (_, Some(LocalSurface::Mesh(mesh)), Some(material)) => {
-                self.add_mesh(&header, material, mesh)
+            (_, Some(LocalSurface::Mesh(mesh, faces)), Some(material)) => {
+                self.add_faces(&header, material, mesh, &faces)
+            }
+            (_, Some(LocalSurface::Polygon(loops, data)), Some(material)) => {
+                self.add_polygon(&header, material, (loops, data))
             }
             (_, Some(LocalSurface::Shape(shape)), Some(material)) => {
                 let shape = in_world(shape, header.to_world.as_ref());
-                self.begin(&header.name, material, &header.path)?;
+                self.begin(&header, material)?;
                 self.add_shape(shape, &header.path)
             }
-            // Only models and groups are without a surface or a material of their own.
+            // Only models, groups and uses are without a surface or a material of their own.
             _ => Ok(()),
         }
     }

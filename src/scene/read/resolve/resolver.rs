@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 
 use super::checks;
+use super::header::Header;
 use crate::geometry::{Shape, Triangle};
 use crate::math::DVec3;
 use crate::scene::limits::{MAX_COORDINATE, MAX_PRIMITIVES};
@@ -23,6 +24,8 @@ pub struct Resolver {
     pub objects: HashMap<String, u32>,
     /// Indices of the materials so far, by name.
     pub materials: HashMap<String, u32>,
+    /// Objects and groups in parts so far, counted at each use.
+    pub placed: usize,
     /// The files that the scene names.
     pub files: Files,
     /// What was strange so far.
@@ -55,21 +58,27 @@ impl Resolver {
     }
 
     /// Begins an object: the shapes that follow belong to it.
-    pub fn begin(&mut self, name: &str, material: u32, path: &FieldPath) -> Result<(), SceneError> {
+    pub fn begin(&mut self, header: &Header, material: u32) -> Result<(), SceneError> {
+        let Header {
+            name, path, frame, ..
+        } = header;
+        let frame = *frame;
         checks::name(name, &path.key("name"))?;
         let index = self.scene.objects.len() as u32;
-        if self.objects.insert(name.to_string(), index).is_some() {
+        if self.objects.insert(name.clone(), index).is_some() {
             return Err(path.key("name").error(
                 format!("there are two objects named `{name}`"),
                 "give one of them a different name",
             ));
         }
         self.scene.objects.push(Object {
-            name: name.to_string(),
+            name: name.clone(),
             material,
             first_primitive: self.scene.shapes.len() as u32,
             mirrored: false,
             vertices: None,
+            leaves: Vec::new(),
+            frame,
         });
         Ok(())
     }

@@ -14,6 +14,7 @@ pub fn in_world(shape: Shape, map: Option<&Transform>) -> Shape {
             map.point(p.origin()),
             map.normal(p.normal()),
         ))),
+        Shape::Transformed(own) => together(*own, map),
         other => placed(other, map),
     }
 }
@@ -52,11 +53,21 @@ fn cuboid(bounds: Aabb, map: &Transform) -> Shape {
     placed(Shape::Cuboid(Cuboid { bounds }), map)
 }
 
-fn placed(shape: Shape, transform: &Transform) -> Shape {
+/// A shape that is tested in a space of its own.
+pub fn placed(shape: Shape, transform: &Transform) -> Shape {
     Shape::Transformed(Box::new(Transformed {
         shape,
         transform: *transform,
     }))
+}
+
+/// A shape that has a space of its own already.
+fn together(own: Transformed, map: &Transform) -> Shape {
+    match Transform::new(map.to_world() * own.transform.to_world()) {
+        Some(whole) => in_world(own.shape, Some(&whole)),
+        // Both can be undone, but together they are beyond what numbers hold: nothing of it is large enough to be hit.
+        None => Shape::Transformed(Box::new(own)),
+    }
 }
 
 /// True unless every axis keeps its direction.

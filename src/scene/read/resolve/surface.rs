@@ -3,29 +3,38 @@
 use std::sync::Arc;
 
 use super::checks::{direction, directions, point, points, positive};
-use crate::geometry::{Aabb, Cuboid, Disc, Plane, Shape, Sphere};
+use super::polygons::{Loops, check_faces, polygon};
+use super::solids;
+use crate::geometry::{Disc, Plane, Shape};
 use crate::math::{DVec2, DVec3};
 use crate::scene::VertexData;
 use crate::scene::read::error::{FieldPath, SceneError};
-use crate::scene::read::file::{MeshFile, ObjectFile, TriangleFile, Triple};
+use crate::scene::read::file::{MeshFile, ObjectFile, TriangleFile};
 use crate::scene::read::mesh::Mesh;
 
 /// LocalSurface of an object in its own space.
 pub enum LocalSurface {
     /// One shape.
     Shape(Shape),
-    /// Triangles.
-    Mesh(Mesh),
+    /// Triangles, and faces of any number of corners.
+    Mesh(Mesh, Vec<Vec<u32>>),
+    /// A polygon: its loops, and what its corners carry.
+    Polygon(Loops, VertexData),
 }
 
-/// LocalSurface of an object; `None` for a group and for a model, whose surface is in another file.
+/// LocalSurface of an object; `None` for a csg and a group, which have parts, for patches, which are cut in the world, and for a model, whose surface is in another file.
 pub fn surface(object: &ObjectFile, path: &FieldPath) -> Result<Option<LocalSurface>, SceneError> {
     Ok(Some(match object {
-        ObjectFile::Sphere(s) => {
-            let center = point(s.center, &path.key("center"))?;
-            let radius = positive(s.radius, &path.key("radius"))?;
-            LocalSurface::Shape(Shape::Sphere(Sphere { center, radius }))
-        }
+        ObjectFile::Sphere(s) => LocalSurface::Shape(solids::sphere(s, path)?),
+        ObjectFile::Box(b) => LocalSurface::Shape(solids::cuboid(b, path)?),
+        ObjectFile::Cylinder(c) => LocalSurface::Shape(solids::cylinder(c, path)?),
+        ObjectFile::Cone(c) => LocalSurface::Shape(solids::cone(c, path)?),
+        ObjectFile::Paraboloid(p) => LocalSurface::Shape(solids::paraboloid(p, path)?),
+        ObjectFile::Hyperboloid(h) => LocalSurface::Shape(solids::hyperboloid(h, path)?),
+        ObjectFile::Ellipsoid(e) => LocalSurface::Shape(solids::ellipsoid(e, path)?),
+        ObjectFile::Quadric(q) => LocalSurface::Shape(solids::quadric(q, path)?),
+        ObjectFile::Torus(t) => LocalSurface::Shape(solids::torus(t, path)?),
+        ObjectFile::Quartic(q) => LocalSurface::Shape(solids::quartic(q, path)?),
         ObjectFile::Disc(d) => {
             let center = point(d.center, &path.key("center"))?;
             let normal = direction(d.normal, &path.key("normal"))?;
@@ -38,19 +47,24 @@ pub fn surface(object: &ObjectFile, path: &FieldPath) -> Result<Option<LocalSurf
             let normal = direction(p.normal, &path.key("normal"))?;
             LocalSurface::Shape(Shape::Plane(Box::new(Plane::new(point, normal))))
         }
-        ObjectFile::Box(b) => {
-            let bounds = bounds(b.min, b.max, path)?;
-            LocalSurface::Shape(Shape::Cuboid(Cuboid { bounds }))
-        }
-        ObjectFile::Triangle(t) => LocalSurface::Mesh(triangle(t, path)?),
+        ObjectFile::Triangle(t) => LocalSurface::Mesh(triangle(t, path)?, Vec::new()),
         ObjectFile::Quad(q) => {
             let corner = point(q.corner, &path.key("corner"))?;
             let u = point(q.u, &path.key("u"))?;
             let v = point(q.v, &path.key("v"))?;
-            LocalSurface::Mesh(parallelogram(corner, u, v))
+            LocalSurface::Mesh(parallelogram(corner, u, v), Vec::new())
         }
-        ObjectFile::Mesh(m) => LocalSurface::Mesh(mesh(m, path)?),
-        ObjectFile::Obj(_) | ObjectFile::Group(_) => return Ok(None),
+        ObjectFile::Mesh(m) => LocalSurface::Mesh(mesh(m, path)?, m.polygons.clone()),
+        ObjectFile::Polygon(p) => {
+            let (loops, data) = polygon(p, path)?;
+            LocalSurface::Polygon(loops, data)
+        }
+        ObjectFile::Csg(_)
+        | ObjectFile::Bezier(_)
+        | ObjectFile::Nurbs(_)
+        | ObjectFile::Obj(_)
+        | ObjectFile::Group(_)
+        | ObjectFile::Use(_) => return Ok(None),
     }))
 }
 
@@ -67,23 +81,6 @@ fn triangle(file: &TriangleFile, path: &FieldPath) -> Result<Mesh, SceneError> {
         corners,
         ..Mesh::default()
     })
-}
-
-fn bounds(min: Triple, max: Triple, path: &FieldPath) -> Result<Aabb, SceneError> {
-    let min = point(min, &path.key("min"))?;
-    let max = point(max, &path.key("max"))?;
-    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        if min[axis] >= max[axis] {
-            return Err(path.error(
-                format!(
-                    "along {name} the box goes from min {} to max {}",
-                    min[axis], max[axis]
-                ),
-                "make every number of `min` smaller than that of `max`; for a flat thing use a quad",
-            ));
-        }
-    }
-    Ok(Aabb { min, max })
 }
 
 /// The parallelogram at `corner` with the edges u and v, as two triangles.
@@ -113,6 +110,13 @@ fn mesh(file: &MeshFile, path: &FieldPath) -> Result<Mesh, SceneError> {
                 ));
             }
         }
+    }
+    check_faces(file, path)?;
+    if file.triangles.is_empty() && file.polygons.is_empty() {
+        return Err(path.error(
+            "the mesh has neither triangles nor polygons",
+            "list them, such as \"triangles\": [[0, 1, 2]]",
+        ));
     }
     let check_count = |found: usize, key: &str| {
         if found == count {

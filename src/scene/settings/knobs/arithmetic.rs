@@ -1,7 +1,7 @@
 //! Knobs of arithmetic other than our own.
 
 use super::{ROW, words};
-use crate::geometry::{Offset, Precision, Quadratic, TriangleTest};
+use crate::geometry::{Offset, Precision, Quadratic, QuarticMethod, TriangleTest};
 use crate::scene::Bends;
 use crate::scene::settings::knob::{Field, Kind, Knob, Value};
 
@@ -43,10 +43,19 @@ pub const ROWS: &[Knob] = &[
     Knob {
         flag: "quadratic",
         value_name: "FORMULA",
-        doc: "How spheres are tested",
+        doc: "How spheres, cylinders and the like are tested",
         kind: Kind::Choice(|| words(&names!(Quadratic))),
         field: choice!(names!(Quadratic), arithmetic.quadratic),
         json: "arithmetic.quadratic",
+        ..ARITHMETIC_ROW
+    },
+    Knob {
+        flag: "quartic",
+        value_name: "ROOTS",
+        doc: "How tori and the like are tested",
+        kind: Kind::Choice(|| words(&names!(QuarticMethod))),
+        field: choice!(names!(QuarticMethod), arithmetic.quartic),
+        json: "arithmetic.quartic",
         ..ARITHMETIC_ROW
     },
     Knob {

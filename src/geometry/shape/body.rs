@@ -1,0 +1,177 @@
+//! Bodies: solids with named parts, and the open walls of some.
+//!
+//! Their tests are never inlined, so that scenes of triangles and spheres alone pay nothing for them.
+
+use crate::geometry::{
+    Aabb, BoxedQuadric, Csg, Intersection, Quadric, Quartic, Spans, SurfacePoint, Torus,
+};
+use crate::math::{DVec3, Interval, Ray};
+
+/// A solid with parts, in its own space: what decides is the spans of a ray's line in it.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// A cylinder, cone, paraboloid or hyperboloid, closed or open.
+    Quadric(Quadric),
+    /// A surface of the second degree inside a box.
+    BoxedQuadric(BoxedQuadric),
+    /// A torus.
+    Torus(Torus),
+    /// A surface of the fourth degree inside a box.
+    Quartic(Quartic),
+    /// A solid that is cut from others.
+    Csg(Csg),
+}
+
+impl Body {
+    /// The first crossing inside the interval. A line that misses the box around it needs no more than that.
+    #[inline(never)]
+    pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
+        if self.bounds().clip(ray, Interval::LINE).is_none() {
+            return Intersection::Miss;
+        }
+        match self {
+            Self::Quadric(quadric) => quadric.intersect(ray, interval),
+            Self::BoxedQuadric(quadric) => quadric.intersect(ray, interval),
+            Self::Torus(torus) => torus.intersect(ray, interval),
+            Self::Quartic(quartic) => quartic.intersect(ray, interval),
+            Self::Csg(csg) => csg.intersect(ray, interval),
+        }
+    }
+
+    /// The spans of the ray's line inside; none if it is open.
+    pub fn spans(&self, ray: &Ray) -> Spans {
+        match self {
+            Self::Quadric(quadric) => quadric.spans(ray),
+            Self::BoxedQuadric(quadric) => quadric.spans(ray),
+            Self::Torus(torus) => torus.spans(ray),
+            Self::Quartic(quartic) => quartic.spans(ray),
+            Self::Csg(csg) => csg.spans(ray),
+        }
+    }
+
+    /// Whether the ray goes in at a crossing at `t`; `None` if there is none.
+    #[inline(never)]
+    pub fn enters(&self, ray: &Ray, t: f64) -> Option<bool> {
+        match self {
+            Self::Quadric(quadric) => quadric.enters(ray, t),
+            other => other.spans(ray).enters(t),
+        }
+    }
+
+    /// True if it bounds a part of space: all but open quadrics do.
+    pub fn is_solid(&self) -> bool {
+        match self {
+            Self::Quadric(quadric) => quadric.is_solid(),
+            _ => true,
+        }
+    }
+
+    /// The volume, in cubic metres; where there is no formula for it, by the mean length of the spans of 128 x 128 rays along x.
+    pub fn volume(&self) -> f64 {
+        match self {
+            Self::Quadric(quadric) => quadric.volume(),
+            Self::Torus(torus) => torus.volume(),
+            other => other.mean_volume(),
+        }
+    }
+
+    fn mean_volume(&self) -> f64 {
+        const SIDE: u32 = 128;
+        let Aabb { min, max } = self.bounds();
+        let size = max - min;
+        let place = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE);
+        let rays = (0..SIDE * SIDE).map(|i| {
+            let across = DVec3::new(0.0, place(i / SIDE), place(i % SIDE));
+            Ray::new(min + size * across, DVec3::X)
+        });
+        let length: f64 = rays.map(|ray| self.spans(&ray).length()).sum();
+        length * size.y * size.z / f64::from(SIDE * SIDE)
+    }
+
+    /// The point at which `ray` crosses a part, as found by [`Body::intersect`].
+    #[inline(never)]
+    pub fn surface(&self, ray: &Ray, t: f64, part: u32) -> SurfacePoint {
+        match self {
+            Self::Quadric(quadric) => quadric.surface(ray, t, part),
+            Self::BoxedQuadric(quadric) => quadric.surface(ray, t, part),
+            Self::Torus(torus) => torus.surface(ray, t, part),
+            Self::Quartic(quartic) => quartic.surface(ray, t, part),
+            Self::Csg(csg) => csg.surface(ray, t, part),
+        }
+    }
+
+    /// The box around it.
+    pub fn bounds(&self) -> Aabb {
+        match self {
+            Self::Quadric(quadric) => quadric.bounds(),
+            Self::BoxedQuadric(quadric) => quadric.bounds(),
+            Self::Torus(torus) => torus.bounds(),
+            Self::Quartic(quartic) => quartic.bounds,
+            Self::Csg(csg) => csg.bounds(),
+        }
+    }
+
+    /// What it is called in scene files and in what a user reads.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Quadric(quadric) => quadric.kind(),
+            Self::BoxedQuadric(_) => "quadric",
+            Self::Torus(_) => "torus",
+            Self::Quartic(_) => "quartic",
+            Self::Csg(_) => "csg",
+        }
+    }
+
+    /// Names of parts, of all shapes whose parts have names.
+    pub const PART_NAMES: [&str; 9] = [
+        "wall", "base", "top", "low x", "high x", "low y", "high y", "low z", "high z",
+    ];
+
+    /// The name of a part; `None` where there is only one, and of a csg, whose parts have the names of the scene.
+    pub fn part_name(&self, part: u32) -> Option<&'static str> {
+        match self {
+            Self::Quadric(_) => Some(Quadric::part_name(part)),
+            Self::BoxedQuadric(_) | Self::Quartic(_) => Some(BoxedQuadric::part_name(part)),
+            Self::Torus(_) | Self::Csg(_) => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::test_rays::{TestRays, many};
+
+    /// Rays at rims, apexes and the box itself, from near and from far: what the box turns away has no span.
+    #[test]
+    fn the_box_turns_no_ray_away_that_meets_the_body() {
+        let bodies = [
+            Body::Quadric(Quadric::cylinder(0.7, 0.4)),
+            Body::Quadric(Quadric::cone(0.8, 0.0, 0.5)),
+            Body::Torus(Torus {
+                major: 1.0,
+                minor: 0.3,
+            }),
+        ];
+        let mut random = TestRays(5);
+        let mut met = 0;
+        for body in &bodies {
+            let Aabb { min, max } = body.bounds();
+            for _ in 0..many(20_000u32) {
+                let angle = std::f64::consts::TAU * random.unit();
+                // A point on the rim of the upper face, moved by some roundings.
+                let rim = DVec3::new(max.x * libm::cos(angle), max.y, max.z * libm::sin(angle));
+                let corner = DVec3::select(random.in_cube().cmpgt(DVec3::ZERO), max, min);
+                let target = if random.unit() < 0.5 { rim } else { corner };
+                let target = target * (1.0 + 4e-15 * random.signed());
+                let distance = libm::exp10(6.0 * random.unit());
+                let direction = random.direction();
+                let ray = Ray::new(target - distance * direction, direction);
+                let by_spans = body.spans(&ray).first(Interval::LINE);
+                assert_eq!(body.intersect(&ray, Interval::LINE), by_spans, "{ray:?}");
+                met += u32::from(by_spans != Intersection::Miss);
+            }
+        }
+        assert!(met > 1000, "{met}");
+    }
+}

@@ -1,0 +1,220 @@
+//! Scan conversion, the other way to a picture: triangles are projected onto the screen, and each is filled row by row.
+//!
+//! Eye rays only: what a picture has by shadow rays, reflection and refraction is not here. Between the corners of a triangle
+//! something is blended: the colours of its corners (Gouraud 1971, "Continuous shading of curved surfaces") or their normals
+//! (Phong 1975, "Illumination for computer generated pictures"). Of several triangles at a pixel the nearest counts (Catmull
+//! 1974, depth buffer). Whether a pixel's middle is inside of a triangle is decided by the tracer's own edge functions, so that
+//! both ways see the same triangle at every pixel.
+
+mod projection;
+mod scanline;
+mod shade;
+mod table;
+
+pub use scanline::{RowSpan, ScreenBlend};
+pub use shade::ShadingModel;
+pub use table::row_table;
+
+use std::fmt;
+use std::str::FromStr;
+
+use clap::ValueEnum as _;
+
+use crate::geometry::{Hit, Intersection, Shape, Shear, Triangle};
+use crate::math::{Interval, Ray, Rgb};
+use crate::probe::NONE;
+use crate::scene::printable::excerpt;
+use crate::scene::{Scene, Settings};
+use crate::tracer::Film;
+use projection::Projection;
+use shade::Shade;
+
+/// How triangles are filled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Filling {
+    /// What is computed at the corners, and what at each pixel.
+    pub shading: ShadingModel,
+    /// How what the corners have is blended between them.
+    pub blend: ScreenBlend,
+}
+
+impl fmt::Display for Filling {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let affine = match self.blend {
+            ScreenBlend::Perspective => "",
+            ScreenBlend::Affine => ", blended on the screen",
+        };
+        write!(f, "{} shading, row by row{affine}", self.shading.name())
+    }
+}
+
+impl FromStr for Filling {
+    type Err = String;
+
+    /// The name of a shading model, and `affine` behind a comma.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, blend) = match text.split_once(',') {
+            Some((name, "affine")) => (name, ScreenBlend::Affine),
+            _ => (text, ScreenBlend::Perspective),
+        };
+        let shading = ShadingModel::from_str(name, false).map_err(|_| {
+            format!(
+                "`{}` is no way to fill triangles; there are flat, gouraud and phong, and `,affine` behind them",
+                excerpt(text)
+            )
+        })?;
+        Ok(Self { shading, blend })
+    }
+}
+
+/// Picture by scan conversion.
+pub struct RasterPicture {
+    /// The picture.
+    pub film: Film,
+    /// The triangle at each pixel, by its primitive's id; [`NONE`] where there is the background.
+    pub primitives: Vec<u32>,
+    /// The spans of the row that was asked for, in the order in which they were filled.
+    pub spans: Vec<FilledSpan>,
+    /// The primitives that are no triangles and are left out.
+    pub left_out: Vec<u32>,
+}
+
+/// Span of a triangle in a row of pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct FilledSpan {
+    /// The triangle, by its primitive's id.
+    pub primitive: u32,
+    /// Its ends.
+    pub span: RowSpan,
+    /// Colours at its ends.
+    pub colors: [Rgb; 2],
+    /// Pixels whose middle it covers.
+    pub covered: u32,
+    /// Those of them where nothing nearer had been drawn.
+    pub drawn: u32,
+}
+
+/// Where the picture is drawn.
+struct Canvas<'a> {
+    settings: &'a Settings,
+    filling: Filling,
+    screen: Projection<'a>,
+    /// 1 / depth of what is drawn at each pixel.
+    nearest: Vec<f64>,
+    raster: RasterPicture,
+}
+
+/// Draws the triangles of a scene, one after the other, and keeps the spans of row `row`.
+pub fn raster(
+    scene: &Scene,
+    settings: &Settings,
+    filling: Filling,
+    row: Option<u32>,
+) -> RasterPicture {
+    let size = (settings.image.width, settings.image.height);
+    let mut film = Film::black(size, &Settings::default());
+    film.pixels.fill(scene.background);
+    let count = film.pixels.len();
+    let mut canvas = Canvas {
+        settings,
+        filling,
+        screen: Projection::new(&scene.camera, size),
+        nearest: vec![0.0; count],
+        raster: RasterPicture {
+            film,
+            primitives: vec![NONE; count],
+            spans: Vec::new(),
+            left_out: Vec::new(),
+        },
+    };
+    for (primitive, shape) in scene.shapes.iter().enumerate() {
+        let primitive = primitive as u32;
+        match shape.plain() {
+            Shape::Triangle(triangle) => canvas.fill(scene, primitive, triangle, row),
+            _ => canvas.raster.left_out.push(primitive),
+        }
+    }
+    canvas.raster
+}
+
+impl Canvas<'_> {
+    /// Fills a triangle row by row.
+    fn fill(&mut self, scene: &Scene, primitive: u32, triangle: &Triangle, row: Option<u32>) {
+        let corners = self.screen.polygon(triangle);
+        let Some(rows) = scanline::rows(&corners, self.screen.size.1) else {
+            return;
+        };
+        let shade = Shade::new(
+            (scene, self.settings),
+            self.filling.shading,
+            primitive,
+            triangle,
+        );
+        for y in rows {
+            let Some(span) = RowSpan::of(&corners, y, self.filling.blend) else {
+                continue;
+            };
+            let [covered, drawn] = self.fill_row((primitive, triangle), &shade, &span, y);
+            if row == Some(y) && covered > 0 {
+                let colors = [span.from.x, span.to.x].map(|x| {
+                    let ray = self.screen.ray(x, y);
+                    shade.color(&ray, span.at(x).weights)
+                });
+                self.raster.spans.push(FilledSpan {
+                    primitive,
+                    span,
+                    colors,
+                    covered,
+                    drawn,
+                });
+            }
+        }
+    }
+
+    /// Fills the pixels of a row whose middles are inside of the triangle; gives their number, and how many are nearest.
+    fn fill_row(
+        &mut self,
+        (primitive, triangle): (u32, &Triangle),
+        shade: &Shade,
+        span: &RowSpan,
+        y: u32,
+    ) -> [u32; 2] {
+        let (mut covered, mut drawn) = (0, 0);
+        for x in span.pixels(self.screen.size.0) {
+            let middle = f64::from(x) + 0.5;
+            let ray = self.screen.ray(middle, y);
+            if !covers(triangle, &ray) {
+                continue;
+            }
+            covered += 1;
+            let here = span.at(middle);
+            let index = y as usize * self.screen.size.0 as usize + x as usize;
+            if here.inverse_depth > self.nearest[index] {
+                drawn += 1;
+                self.nearest[index] = here.inverse_depth;
+                self.raster.primitives[index] = primitive;
+                self.raster.film.pixels[index] = shade.color(&ray, here.weights);
+            }
+        }
+        [covered, drawn]
+    }
+}
+
+/// Whether the eye ray through a pixel's middle meets the triangle.
+fn covers(triangle: &Triangle, ray: &Ray) -> bool {
+    let met = triangle.intersect(&Shear::new(ray), Interval::FORWARD);
+    matches!(met, Intersection::Hit { .. })
+}
+
+/// The hit of a triangle at a point that is given by the weights of its corners.
+fn hit_at(ray: &Ray, primitive: u32, triangle: &Triangle, weights: [f64; 3]) -> Hit {
+    let [a, b, c] = triangle.corners;
+    let [u, v, w] = weights;
+    let point = u * a + v * b + w * c;
+    Hit {
+        t: (point - ray.origin).dot(ray.direction),
+        primitive,
+        part: 0,
+        place: weights,
+    }
+}

@@ -1,0 +1,136 @@
+//! Colours of a triangle's pixels: computed once, at the corners, or at every pixel.
+
+use clap::ValueEnum;
+
+use super::hit_at;
+use crate::geometry::Triangle;
+use crate::math::{DVec3, Ray, Rgb};
+use crate::scene::{Effect, Scene, Settings};
+use crate::shading::{Interaction, ShadingPoint};
+use crate::tracer::light_sampler::{AreaSampler, LightSampler, PointSampler, ShadowRay};
+use crate::tracer::path_id::PathId;
+
+/// What is computed at the corners of a triangle, and what at each pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum ShadingModel {
+    /// One colour a triangle, computed in its middle with the normal of its plane
+    Flat,
+    /// Colours at the corners, with their normals; colours are blended (Gouraud 1971)
+    Gouraud,
+    /// Normals at the corners; they are blended, and a colour is computed at every pixel (Phong 1975)
+    #[default]
+    Phong,
+}
+
+impl ShadingModel {
+    /// Its name, as people say it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Flat => "flat",
+            Self::Gouraud => "Gouraud",
+            Self::Phong => "Phong",
+        }
+    }
+}
+
+/// Colours of one triangle's pixels.
+pub struct Shade<'a> {
+    scene: &'a Scene,
+    settings: &'a Settings,
+    primitive: u32,
+    triangle: &'a Triangle,
+    known: Known,
+}
+
+/// Colours that are computed before the first pixel.
+enum Known {
+    /// One for all pixels.
+    All(Rgb),
+    /// Those at the corners.
+    Corners([Rgb; 3]),
+    /// None.
+    Nothing,
+}
+
+impl<'a> Shade<'a> {
+    /// Colours of a triangle; those at its corners are computed now, if the model blends them.
+    pub fn new(
+        (scene, settings): (&'a Scene, &'a Settings),
+        model: ShadingModel,
+        primitive: u32,
+        triangle: &'a Triangle,
+    ) -> Self {
+        let mut shade = Self {
+            scene,
+            settings,
+            primitive,
+            triangle,
+            known: Known::Nothing,
+        };
+        shade.known = match model {
+            ShadingModel::Flat => Known::All(shade.computed([1.0 / 3.0; 3], true)),
+            ShadingModel::Gouraud => {
+                let corner = |i: usize| std::array::from_fn(|j| f64::from(i == j));
+                Known::Corners(std::array::from_fn(|i| shade.computed(corner(i), false)))
+            }
+            ShadingModel::Phong => Known::Nothing,
+        };
+        shade
+    }
+
+    /// The colour at a point that is given by the weights of the corners, seen along `ray`.
+    pub fn color(&self, ray: &Ray, weights: [f64; 3]) -> Rgb {
+        match self.known {
+            Known::All(color) => color,
+            Known::Corners([a, b, c]) => {
+                let [u, v, w] = weights;
+                a * u + b * v + c * w
+            }
+            Known::Nothing => self.lit(&self.interaction(ray, weights, false)),
+        }
+    }
+
+    /// The colour at a point as the eye sees it.
+    fn computed(&self, weights: [f64; 3], flat: bool) -> Rgb {
+        let [a, b, c] = self.triangle.corners;
+        let [u, v, w] = weights;
+        let eye = self.scene.camera.eye;
+        let direction = (u * a + v * b + w * c - eye).normalize_or(DVec3::Z);
+        let ray = Ray::new(eye, direction);
+        self.lit(&self.interaction(&ray, weights, flat))
+    }
+
+    fn interaction(&self, ray: &Ray, weights: [f64; 3], flat: bool) -> Interaction {
+        let hit = hit_at(ray, self.primitive, self.triangle, weights);
+        let at = self.scene.interaction(ray, &hit);
+        let effects = self.settings.effects;
+        let at = *self.scene.shaded((&hit, &at), effects, &mut None);
+        if flat { at.flat() } else { at }
+    }
+
+    /// Le + Ka Ia + the sum over all lights, of which nothing is hidden; of an area light its middle stands for all.
+    fn lit(&self, at: &Interaction) -> Rgb {
+        let (scene, settings) = (self.scene, self.settings);
+        let material = scene.material_of(self.primitive);
+        let point = ShadingPoint::new(at, material, settings.effects);
+        let mut sum = Rgb::BLACK;
+        for term in [point.emitted(), point.ambient(scene.ambient)] {
+            sum += term.map_or(Rgb::BLACK, |term| term.value());
+        }
+        let hard = settings.with(|s| s.effects = s.effects.without(Effect::SoftShadows));
+        for (light, number) in scene.lights.iter().zip(0..) {
+            let kind = &light.kind;
+            let arrival = match kind.area() {
+                Some(area) => {
+                    let path = (PathId::eye((0, 0), 0), number);
+                    AreaSampler::new(&hard, &point, area, path).shadow_ray(0)
+                }
+                None => PointSampler::new(settings, &point, kind).shadow_ray(0),
+            };
+            if let Ok(ShadowRay { light, n_dot_l, .. }) = arrival {
+                point.eval(&light, n_dot_l, |term| sum += term.value());
+            }
+        }
+        sum
+    }
+}
