@@ -11,13 +11,16 @@ use crate::tui::model::{Message, Mouse};
 /// Events that are taken in at once.
 const MANY: usize = 256;
 
+/// How long the next event is waited for. (With no time at all, crossterm looks for none.)
+const SHORT: Duration = Duration::from_micros(200);
+
 /// Rows that a notch of the wheel scrolls.
 const NOTCH: i32 = 3;
 
 /// All events that have come by now; of a run of mouse moves only the last.
 pub fn pending() -> io::Result<Vec<Event>> {
     let mut events: Vec<Event> = Vec::new();
-    while events.len() < MANY && event::poll(Duration::ZERO)? {
+    while events.len() < MANY && event::poll(SHORT)? {
         let event = event::read()?;
         if is_move(&event)
             && let Some(last) = events.last_mut()

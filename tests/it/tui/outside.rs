@@ -14,6 +14,18 @@ fn signals_to_end_leave_nothing_behind() {
     }
 }
 
+/// More than a terminal hands over in one piece.
+#[test]
+fn a_long_burst_of_keys_is_taken_in_to_its_end() {
+    let mut session = Session::raytree(&["view", "whitted"]);
+    session.wait_for("--pixel 60,33");
+    session.keys(&"\x1b[C\x1b[D".repeat(600));
+    session.keys("\x1b[B");
+    session.wait_for("--pixel 60,34");
+    session.keys("q");
+    assert_eq!(session.end(), 0);
+}
+
 #[test]
 fn a_signal_to_quit_leaves_nothing_behind() {
     let mut session = Session::raytree(&["view", "room"]);

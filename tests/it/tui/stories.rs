@@ -26,18 +26,19 @@ fn a_step_is_found_and_opened_again_from_a_pasted_line() {
         .iter()
         .position(|word| word == "?")
         .unwrap_or(words.len());
-    let event = |session: &Session| {
+    let event = |session: &mut Session| {
+        session.wait_for("event ");
         let text = session.text();
         let from = text.find("event ").expect("an event") + 6;
         text[from..].split(',').next().expect("a number").to_owned()
     };
-    let step = event(&here);
+    let step = event(&mut here);
     here.keys("qqqq");
     here.end();
     let args: Vec<&str> = words[1..end].iter().map(String::as_str).collect();
     let mut there = Session::raytree(&args);
     there.wait_for("otal internal reflection");
-    assert_eq!(event(&there), step, "{words:?}");
+    assert_eq!(event(&mut there), step, "{words:?}");
     there.keys("qqqq");
     there.end();
 }
