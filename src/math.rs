@@ -10,6 +10,7 @@ pub mod polynomial;
 pub mod ray;
 pub mod rgb;
 pub mod rounding;
+pub mod srgb;
 pub mod transform;
 
 pub use frame::Frame;

@@ -231,8 +231,23 @@ impl Scene {
 
     /// Interaction at a hit: point, normals, side and surface coordinates.
     pub fn interaction(&self, ray: &Ray, hit: &Hit) -> Interaction {
-        let mut surface =
-            self.shapes[hit.primitive as usize].surface(ray, hit.t, hit.place, hit.part);
+        self.interaction_with::<true>(ray, hit)
+    }
+
+    /// Interaction at a hit, as [`Scene::interaction`] gives it, but for u and v of a sphere: where no material asks for them they
+    /// are 0, since they take longer than all the rest.
+    pub fn interaction_for_shading(&self, ray: &Ray, hit: &Hit) -> Interaction {
+        self.interaction_with::<false>(ray, hit)
+    }
+
+    #[inline(always)]
+    fn interaction_with<const UV: bool>(&self, ray: &Ray, hit: &Hit) -> Interaction {
+        let mut surface = match &self.shapes[hit.primitive as usize] {
+            Shape::Sphere(sphere) if !UV && self.material_of(hit.primitive).checker.is_none() => {
+                sphere.bare_surface(ray, hit.t)
+            }
+            shape => shape.surface(ray, hit.t, hit.place, hit.part),
+        };
         let mut normal = None;
         if let Some(data) = &self.object_of(hit.primitive).vertices {
             let triangle = self.local_index(hit.primitive) as usize;

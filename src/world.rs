@@ -5,6 +5,7 @@ mod closed;
 mod contact;
 pub mod interface;
 pub mod medium;
+mod neighbour;
 mod rank;
 mod ray_budget;
 mod ray_cuts;
@@ -15,8 +16,10 @@ use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Probe, counting};
 use crate::scene::{Object, Scene};
-use contact::contacts;
+use crate::shading::Interaction;
+use contact::{Contacts, contacts};
 use medium::medium;
+use neighbour::is_clear;
 
 pub use contact::Contact;
 pub use interface::{Interface, NextHit};
@@ -34,7 +37,7 @@ pub struct World {
     /// True if anything is transparent.
     has_media: bool,
     /// How each object is in contact with media.
-    contacts: Vec<Contact>,
+    contacts: Contacts,
     /// Which objects are transparent and bound no part of space: see [`OpenMedia`].
     open: Vec<bool>,
     /// Which object a point is in, where they overlap: see `world/rank.rs`.
@@ -65,7 +68,7 @@ impl World {
             .map(|(i, o)| is_medium(o) && !closed::is_closed(scene.shapes_of(i)))
             .collect();
         let contacts = contacts(&scene);
-        let has_media = contacts.iter().any(|c| *c != Contact::None);
+        let has_media = contacts.of.iter().any(|c| *c != Contact::None);
         let ranks = if has_media {
             rank::ranks(&scene, &open)
         } else {
@@ -112,7 +115,7 @@ impl World {
     #[inline]
     pub fn contact(&self, primitive: u32) -> Contact {
         if counting::REFRACTION && self.has_media {
-            self.contacts[self.scene.owners[primitive as usize] as usize]
+            self.contacts.of[self.scene.owners[primitive as usize] as usize]
         } else {
             Contact::None
         }
@@ -144,12 +147,18 @@ impl World {
     pub fn crossings_from<'r>(
         &self,
         ray: &Ray,
-        hit: &Hit,
+        (hit, at): (&Hit, &Interaction),
         scratch: &'r mut Scratch,
     ) -> &'r [Crossing] {
         let interval = Interval::new(hit.t.next_down(), f64::INFINITY);
         let (shapes, hits) = (&self.scene.shapes, &mut scratch.hits);
-        if self.contact(hit.primitive) == Contact::Isolated {
+        let object = self.scene.owners[hit.primitive as usize] as usize;
+        let is_alone = match self.contact(hit.primitive) {
+            Contact::Isolated => true,
+            Contact::Resting => is_clear(&self.contacts.neighbours[object], ray, hit.t, at),
+            Contact::None | Contact::Touching => false,
+        };
+        if is_alone {
             hits.clear();
             hits.push(*hit);
             further_hits(shapes, ray, hit, interval, hits);

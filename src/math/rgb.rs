@@ -5,6 +5,8 @@ use std::ops::{Add, AddAssign, Mul};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::srgb;
+
 /// Red, green and blue, linear. As a radiance any finite value from 0 up; as a coefficient usually 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(from = "[f64; 3]", into = "[f64; 3]")]
@@ -81,12 +83,12 @@ impl Rgb {
 
     /// What a screen shows: [`Rgb::encoded`], 8 bits a channel.
     pub fn to_srgb8(self) -> [u8; 3] {
-        self.encoded().map(|c| (c * 255.0).round() as u8)
+        self.channels().map(|c| srgb::byte(c.clamp(0.0, 1.0)))
     }
 
     /// Channels encoded for a screen, 0 to 1: clamped to [0, 1] (only here, at the very end), then the curve of sRGB.
     pub fn encoded(self) -> [f64; 3] {
-        self.channels().map(|c| srgb_curve(c.clamp(0.0, 1.0)))
+        self.channels().map(|c| srgb::encoded(c.clamp(0.0, 1.0)))
     }
 }
 
@@ -94,30 +96,12 @@ impl Rgb {
     /// [`Rgb::to_srgb8`] with channels cut off in the place of rounded.
     pub fn to_srgb8_floor(self) -> [u8; 3] {
         self.channels()
-            .map(|c| (srgb_curve(c.clamp(0.0, 1.0)) * 255.0).floor() as u8)
+            .map(|c| (srgb::encoded(c.clamp(0.0, 1.0)) * 255.0).floor() as u8)
     }
 
     /// From channels that are encoded as sRGB, 0 to 1.
     pub fn from_srgb(encoded: [f64; 3]) -> Self {
-        encoded.map(linear).into()
-    }
-}
-
-/// The inverse of [`srgb_curve`].
-fn linear(encoded: f64) -> f64 {
-    if encoded <= 0.040_45 {
-        encoded / 12.92
-    } else {
-        libm::pow((encoded + 0.055) / 1.055, 2.4)
-    }
-}
-
-/// The transfer curve of sRGB (IEC 61966-2-1): linear [0, 1] to encoded [0, 1].
-fn srgb_curve(linear: f64) -> f64 {
-    if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
+        encoded.map(srgb::linear).into()
     }
 }
 

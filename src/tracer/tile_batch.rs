@@ -73,7 +73,8 @@ impl TileBatch {
         let rays_and_hits = self.rays.iter().zip(&self.hits);
         self.points.clear();
         self.points.extend(
-            rays_and_hits.map(|((ray, _), hit)| Some(scene.interaction(ray, hit.as_ref()?))),
+            rays_and_hits
+                .map(|((ray, _), hit)| Some(scene.interaction_for_shading(ray, hit.as_ref()?))),
         );
         self.trace_shadow_rays(world, settings);
         true

@@ -1,5 +1,6 @@
 //! Contact of an object with media: what has to be asked at its surface to know the media there, as little as the scene allows.
 
+use super::neighbour::Neighbour;
 use crate::geometry::{Aabb, Shape};
 use crate::math::DVec3;
 use crate::scene::Scene;
@@ -12,6 +13,8 @@ pub enum Contact {
     None,
     /// It is a transparent solid near nothing else: only its own surface matters.
     Isolated,
+    /// It is a transparent sphere that touches others at single points at most: only its own surface matters, but near these.
+    Resting,
     /// Other surfaces may be crossed together with its own, or be around it or inside it.
     Touching,
 }
@@ -19,9 +22,18 @@ pub enum Contact {
 /// Boxes that are compared at most; with more, nobody is found to be alone.
 const MOST_PAIRS: usize = 1 << 24;
 
+/// Contacts of all objects.
+#[derive(Clone, Debug)]
+pub struct Contacts {
+    /// Of each object.
+    pub of: Vec<Contact>,
+    /// For each object that is [`Contact::Resting`] what it may touch; empty for all others.
+    pub neighbours: Vec<Vec<Neighbour>>,
+}
+
 /// Contact of each object. Rather too much than too little: boxes stand for objects, and are grown by far more than
 /// rounding could move a surface.
-pub fn contacts(scene: &Scene) -> Vec<Contact> {
+pub fn contacts(scene: &Scene) -> Contacts {
     let count = scene.objects.len();
     let material = |o: usize| &scene.materials[scene.objects[o].material as usize];
     let sends_rays = |o: usize| {
@@ -32,14 +44,16 @@ pub fn contacts(scene: &Scene) -> Vec<Contact> {
         .filter(|o| material(*o).is_transmissive())
         .collect();
     let asked = (0..count).filter(|o| sends_rays(*o)).count();
+    let mut neighbours = vec![Vec::new(); count];
     if media.is_empty() {
-        return vec![Contact::None; count];
+        let of = vec![Contact::None; count];
+        return Contacts { of, neighbours };
     }
     let in_doubt = asked.saturating_mul(count) > MOST_PAIRS;
     let extents: Vec<Extent> = (0..count as u32)
         .map(|o| Extent::of(scene.shapes_of(o)))
         .collect();
-    (0..count)
+    let of = (0..count)
         .map(|o| {
             let near = |other: &usize| *other != o && extents[o].meets(&extents[*other]);
             let single = scene.shapes_of(o as u32).len() == 1;
@@ -50,6 +64,9 @@ pub fn contacts(scene: &Scene) -> Vec<Contact> {
                     let solid = single && scene.shapes_of(o as u32)[0].is_solid();
                     if solid && !(0..count).any(|other| near(&other)) {
                         Contact::Isolated
+                    } else if let Some(found) = Neighbour::all(scene, o, (0..count).filter(near)) {
+                        neighbours[o] = found;
+                        Contact::Resting
                     } else {
                         Contact::Touching
                     }
@@ -58,7 +75,8 @@ pub fn contacts(scene: &Scene) -> Vec<Contact> {
                 _ => Contact::None,
             }
         })
-        .collect()
+        .collect();
+    Contacts { of, neighbours }
 }
 
 /// The part of space that an object is in.
@@ -129,12 +147,12 @@ mod tests {
             "objects": [{}]}}"#,
             objects.join(", ")
         );
-        contacts(&crate::scene::from_json(&text).expect("a scene"))
+        contacts(&crate::scene::from_json(&text).expect("a scene")).of
     }
 
     #[test]
     fn what_touches_a_medium_is_in_contact() {
-        use Contact::{Isolated, None, Touching};
+        use Contact::{Isolated, None, Resting, Touching};
         assert_eq!(contacts_of(&[("chalk", 0.0), ("mirror", 0.0)]), [None; 2]);
         assert_eq!(
             contacts_of(&[("glass", 0.0), ("chalk", 3.0)]),
@@ -146,15 +164,19 @@ mod tests {
         );
         assert_eq!(
             contacts_of(&[("glass", 0.0), ("mirror", 2.0)]),
-            [Touching; 2]
+            [Resting, Touching]
         );
         assert_eq!(
             contacts_of(&[("glass", 0.0), ("chalk", 2.0)]),
-            [Touching, None]
+            [Resting, None]
         );
         assert_eq!(
             contacts_of(&[("glass", 0.0), ("glass", 0.5)]),
             [Touching; 2]
+        );
+        assert_eq!(
+            contacts_of(&[("glass", 0.0), ("chalk", 1.999_999)]),
+            [Touching, None]
         );
     }
 }

@@ -84,7 +84,7 @@ impl World {
     #[inline]
     pub fn closest_point<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<(Hit, Interaction)> {
         let hit = self.closest(ray, 0.0, probe)?;
-        Some((hit, self.scene.interaction(ray, &hit)))
+        Some((hit, self.scene.interaction_for_shading(ray, &hit)))
     }
 
     /// Next interface of a ray that is inside the open objects `media`, from its closest hit on; `None` if it leaves the scene.
@@ -130,7 +130,7 @@ impl World {
             rays.ray();
             *media = crossed.beyond;
             surface.hit = self.closest(ray, crossed.end, probe)?;
-            surface.at = self.scene.interaction(ray, &surface.hit);
+            surface.at = self.scene.interaction_for_shading(ray, &surface.hit);
             surface.is_first = false;
         }
         Some(surface)
@@ -146,7 +146,7 @@ impl World {
         scratch: &mut Scratch,
     ) -> Crossed {
         let hit = surface.hit;
-        let ahead = self.crossings_from(ray, &hit, scratch);
+        let ahead = self.crossings_from(ray, (&hit, &surface.at), scratch);
         let (crossed, rest) = ahead.split_at(self.coincident(ray, ahead, &hit, &surface.at));
         let beyond = crossed
             .iter()
@@ -178,12 +178,14 @@ impl World {
         // Of equal ones the first.
         if let Some(first) = crossed.iter().rev().max_by_key(rank) {
             surface.hit = first.hit;
-            surface.at = scene.interaction(ray, &surface.hit);
+            surface.at = scene.interaction_for_shading(ray, &surface.hit);
         }
         let cos = surface.at.geometric_normal.dot(surface.at.to_viewer);
         let errors = crossed.iter().map(|crossing| {
             let gap = (crossing.hit.t - surface.hit.t).abs() * cos;
-            gap + scene.interaction(ray, &crossing.hit).normal_error()
+            gap + scene
+                .interaction_for_shading(ray, &crossing.hit)
+                .normal_error()
         });
         let largest = errors.fold(0.0, f64::max);
         surface.at = surface.at.with_normal_error(largest);
@@ -193,7 +195,7 @@ impl World {
     /// Number of the crossings `ahead`, the first of which is `hit`, that are crossed as one with it.
     fn coincident(&self, ray: &Ray, ahead: &[Crossing], hit: &Hit, at: &Interaction) -> usize {
         let touches = |crossing: &&Crossing| {
-            let other = self.scene.interaction(ray, &crossing.hit);
+            let other = self.scene.interaction_for_shading(ray, &crossing.hit);
             touch((hit.t, at), (crossing.hit.t, &other))
         };
         (1 + ahead.iter().skip(1).take_while(touches).count()).min(ahead.len())

@@ -58,6 +58,7 @@ mod ray_lines;
 mod read_trees;
 mod readme;
 mod reduce;
+mod resting;
 mod same_bits;
 mod sampling;
 mod scenes;
