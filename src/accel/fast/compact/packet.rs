@@ -19,18 +19,18 @@ struct RayParts {
 }
 
 /// A child that is still to be visited.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Pending {
     child: u32,
     part: RayParts,
 }
 
-/// Stack of a packet: each level of the tree leaves at most one child behind.
-pub struct Stack([Pending; MAX_DEPTH as usize]);
+/// Stack of a packet: each level of the tree leaves at most one child behind. (What is not used is not written either.)
+pub struct Stack(Vec<Pending>);
 
 impl Default for Stack {
     fn default() -> Self {
-        Self([Pending::default(); MAX_DEPTH as usize])
+        Self(Vec::with_capacity(MAX_DEPTH as usize))
     }
 }
 
@@ -74,15 +74,16 @@ fn descend<const ANY: bool, L: Level>(
     level: L,
     rays: &mut RayPacket,
     hits: &mut PacketHits,
-    stack: &mut [Pending; MAX_DEPTH as usize],
+    stack: &mut Vec<Pending>,
 ) {
+    stack.clear();
     let mut part = RayParts::of(rays, &tree.bounds);
     // The mask of rays that reach the node.
     let mut met = part.reaching(level);
     if met == 0 {
         return;
     }
-    let (mut id, mut count) = (0, 0);
+    let mut id = 0;
     let mut mailboxes = Mailboxes([(NONE, 0); 8]);
     loop {
         // Down to a leaf: the first child at once, the second one later.
@@ -105,15 +106,12 @@ fn descend<const ANY: bool, L: Level>(
             } else if beyond == 0 {
                 id = first;
             } else {
-                stack[count] = Pending {
+                let min = level.max16(&part.min, &enter);
+                stack.push(Pending {
                     child: second,
-                    part: RayParts {
-                        min: level.max16(&part.min, &enter),
-                        max: part.max,
-                    },
-                };
+                    part: RayParts { min, max: part.max },
+                });
                 part.max = level.min16(&part.max, &leave);
-                count += 1;
                 (id, met) = (first, before);
             }
         };
@@ -125,11 +123,10 @@ fn descend<const ANY: bool, L: Level>(
             }
         }
         loop {
-            if count == 0 {
+            let Some(pending) = stack.pop() else {
                 return;
-            }
-            count -= 1;
-            (id, part) = (stack[count].child, stack[count].part);
+            };
+            (id, part) = (pending.child, pending.part);
             // A hit at the very entry does not count: one beyond it may be as close and have the smaller id.
             part.max = level.min16(&part.max, &rays.max);
             met = part.reaching(level);
