@@ -2,12 +2,27 @@
 
 use super::{Explanation, end, fresnel};
 use crate::geometry::{Hit, Offset};
-use crate::math::Ray;
+use crate::math::{DVec3, Ray};
 use crate::probe::NONE;
 use crate::scene::ObjectFrame;
 use crate::shading::Side;
 use crate::trace::format::{degrees, num, vec3};
 use crate::trace::{SurfaceHit, View};
+
+/// The point as the sum that it is. What is off the shape by rounding alone is put back onto it; where a law is broken, that may be
+/// far.
+fn with_point(explanation: Explanation, ray: &Ray, t: f64, point: DVec3) -> Explanation {
+    let [origin, direction] = [ray.origin, ray.direction].map(vec3);
+    let (sum, point) = (vec3(ray.at(t)), vec3(point));
+    let put_back = (sum != point).then(|| format!("onto the shape: {point}"));
+    explanation
+        .row(
+            "point",
+            format!("o + t d = {origin} + {} {direction}", num(t)),
+        )
+        .row("", format!("= {sum}"))
+        .row_if("put back", put_back.as_deref())
+}
 
 /// A ray hits a surface.
 pub fn hit(view: View, node: u32) -> Explanation {
@@ -29,7 +44,7 @@ pub fn hit(view: View, node: u32) -> Explanation {
         Side::Front => "from outside",
         Side::Back => "from inside",
     };
-    let mut explanation = Explanation::new(
+    let met = Explanation::new(
         format!("hit `{}`", object.name),
         format!(
             "The closest thing on the ray is the {} {primitive} of `{}`, met {side} after {} m.",
@@ -37,27 +52,19 @@ pub fn hit(view: View, node: u32) -> Explanation {
             object.name,
             num(hit.t)
         ),
-    )
-    .row(
-        "point",
-        format!(
-            "o + t d = {} + {} {}",
-            vec3(sent.origin),
-            num(hit.t),
-            vec3(sent.direction)
-        ),
-    )
-    .row("", vec3(at.point))
-    .row(
-        "error",
-        match view.settings.arithmetic.offset {
-            Offset::Bounded => format!("at most {} per axis", vec3(at.error)),
-            other => format!("not asked for: the next ray's offset is {other}"),
-        },
-    )
-    .row_if("part", part)
-    .row("material", material.name.clone())
-    .row("N", vec3(at.normal));
+    );
+    let ray = Ray::new(sent.origin, sent.direction);
+    let mut explanation = with_point(met, &ray, hit.t, at.point)
+        .row(
+            "error",
+            match view.settings.arithmetic.offset {
+                Offset::Bounded => format!("at most {} per axis", vec3(at.error)),
+                other => format!("not asked for: the next ray's offset is {other}"),
+            },
+        )
+        .row_if("part", part)
+        .row("material", material.name.clone())
+        .row("N", vec3(at.normal));
     if at.normal != at.geometric_normal {
         explanation = explanation.row("N of the shape", vec3(at.geometric_normal));
     }
@@ -67,7 +74,6 @@ pub fn hit(view: View, node: u32) -> Explanation {
             format!("({}, {}, {})", num(a), num(b), num(c)),
         );
     }
-    let ray = Ray::new(sent.origin, sent.direction);
     for frame in view.world.scene.frames_of(object) {
         explanation = in_frame(explanation, frame, &ray);
     }
