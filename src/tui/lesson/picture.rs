@@ -7,6 +7,7 @@ use ratatui::layout::Rect;
 
 use super::options::LessonOptions;
 use crate::lesson::Stage;
+use crate::lesson::picture::film;
 use crate::scene::Patch;
 use crate::trace::Address;
 use crate::tui::model::Options;
@@ -48,7 +49,10 @@ impl LessonPicture {
         let mut small = stage.clone();
         (small.settings.image.width, small.settings.image.height) = size;
         let screen = Rect::new(0, 0, cells.0, cells.1.saturating_add(8));
-        let program = program(&small, options, screen, None, None);
+        let mut program = program(&small, options, screen, None, None);
+        if small.filling.is_some() {
+            program.show(&film(&small, size, &[]));
+        }
         Self {
             which,
             caption,
@@ -99,6 +103,9 @@ pub fn program(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lab::show::ShownValue;
+    use crate::lesson::Course;
+    use crate::tracer::image::ColorLevel;
 
     #[test]
     fn a_picture_keeps_its_shape() {
@@ -106,5 +113,39 @@ mod tests {
         assert_eq!(fitted((320, 240), (200, 20)), (53, 40));
         assert_eq!(fitted((320, 240), (400, 400)), (320, 240));
         assert_eq!(fitted((320, 240), (0, 0)), (1, 1));
+    }
+
+    #[test]
+    fn a_picture_shows_what_its_stage_draws() {
+        let course = Course::embedded().expect("the course is whole");
+        let chapter = course.chapters.last().expect("chapters");
+        let options = LessonOptions {
+            color: ColorLevel::True,
+            mouse: false,
+            threads: 1,
+            run: None,
+        };
+        for filling in [None, Some("flat"), Some("gouraud"), Some("gouraud,affine")] {
+            let mut stage = course.stage(chapter, None, &[]).expect("a stage");
+            stage.filling = filling.map(|name| name.parse().expect("a filling"));
+            let caption = String::new();
+            let mut shown = LessonPicture::new((0, None), caption, &[], &stage, (40, 20), &options);
+            while shown.program.is_busy() {
+                shown.program.receive();
+            }
+            shown.program.receive();
+            let picture = &shown.program.model.picture;
+            let drawn = film(&stage, picture.size, &[]);
+            for y in 0..drawn.height {
+                for x in 0..drawn.width {
+                    let expected = ShownValue::Color(drawn.at(x, y));
+                    assert_eq!(
+                        picture.nearest((x, y)),
+                        Some(expected),
+                        "{filling:?} {x},{y}"
+                    );
+                }
+            }
+        }
     }
 }

@@ -192,11 +192,45 @@ impl Interactive for LessonProgram {
     }
 }
 
-/// The part of the page whose picture is the last at or above the middle of what is in sight, or else the first of the page.
+/// The part of the page whose picture is the last at or above the line that is read, or else the first of the page.
 fn part_in_sight(model: &LessonModel) -> Option<usize> {
     let lines = model.lines();
     let height = usize::from(inside(model.text_pane()).height);
-    let seen = lines.len().min(model.scroll + height.max(1) / 2 + 1);
+    let seen = read_to(lines.len(), height, model.scroll);
     let before = lines[..seen].iter().rev().find_map(|line| line.picture);
     before.or_else(|| lines.iter().find_map(|line| line.picture))
+}
+
+/// How many of the lines are read, of `height` that are in sight below `scroll` others. From the first line in sight at the beginning
+/// of a page to the last one at its end, so that each line has its turn.
+fn read_to(lines: usize, height: usize, scroll: usize) -> usize {
+    let last = lines.saturating_sub(height);
+    if last == 0 {
+        return lines.min(1);
+    }
+    1 + scroll.min(last) * (lines - 1) / last
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_has_its_turn() {
+        for (lines, height) in [(100_usize, 20), (100, 21), (61, 20), (30, 20), (5, 1)] {
+            let last = lines - height;
+            let mut before = 0;
+            for scroll in 0..=last {
+                let read = read_to(lines, height, scroll);
+                assert!(
+                    read > before && scroll < read && read <= scroll + height,
+                    "{read}"
+                );
+                assert!(last < height || read <= before + 2, "{read}");
+                before = read;
+            }
+            assert_eq!((read_to(lines, height, 0), before), (1, lines));
+        }
+        assert_eq!([read_to(7, 20, 0), read_to(0, 20, 0)], [1, 0]);
+    }
 }

@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 use ratatui::layout::Rect;
 
 use super::worker::Worker;
+use crate::lab::show::ShownValue;
 use crate::scene::Settings;
+use crate::tracer::Film;
 use crate::tui::model::{Job, Message, Model, Options};
 use crate::tui::update::{start, update};
 use crate::world::World;
@@ -30,6 +32,16 @@ impl Program {
         start(&mut program.model);
         program.start_jobs();
         program
+    }
+
+    /// Shows a picture that was drawn otherwise, of the same size, in the place of rendering it.
+    pub fn show(&mut self, film: &Film) {
+        self.worker.stop_picture();
+        for (y, row) in (0..).zip(film.pixels.chunks(film.width.max(1) as usize)) {
+            for (x, color) in (0..).zip(row) {
+                self.model.picture.set((x, y), ShownValue::Color(*color));
+            }
+        }
     }
 
     /// Takes in a message. False if it means nothing.

@@ -125,6 +125,11 @@ impl Worker {
         })
     }
 
+    /// Ends the rendering of the picture.
+    pub fn stop_picture(&mut self) {
+        self.picture = None;
+    }
+
     /// Records the pixel under the cursor.
     fn trace(&mut self, model: &Model) -> Running {
         let (world, settings) = (Arc::clone(&model.world), model.settings);
