@@ -125,12 +125,12 @@ impl ExerciseKind {
             Self::Find(_) => "answer with a pixel, such as 120,80",
             Self::Change(_) => "answer with the path of the scene file that you changed",
             Self::Bug { .. } => {
-                "answer with the name of the mistake and the ray where it first shows: / for the eye ray, /T/T, /L:lamp"
+                "answer with the name of the mistake and the ray where it first shows: / or I for the eye ray, /T/T, /L:lamp"
             }
             Self::Choose { bend: Some(_), .. } => {
-                "answer with a pixel where the slide fails and the letter of an option, such as 120,80 b"
+                "answer with a pixel where the slide fails and the letter or number of an option, such as 120,80 b"
             }
-            Self::Choose { .. } => "answer with the letter of an option, such as b",
+            Self::Choose { .. } => "answer with the letter or number of an option, such as b or 2",
             Self::Write { .. } => {
                 "answer with the path of what your program printed, a folder or a file"
             }

@@ -93,27 +93,34 @@ impl CourseProgress {
     }
 
     /// Notes an answer. One that comes right without a hint at a gate shows that the chapter is known: if all of its gates are so, what
-    /// is open there is skipped.
-    pub fn answered(&mut self, course: &Course, id: &str, right: bool) {
+    /// is open there is skipped. Gives the sentence that says so.
+    pub fn answered(&mut self, course: &Course, id: &str, right: bool) -> Option<String> {
         let done = self.entry(id);
         // What is done can be practised.
         done.tries += u32::from(!done.done);
         done.done |= right;
-        let Ok((chapter, _)) = course.exercise(id) else {
-            return;
-        };
+        let (chapter, _) = course.exercise(id).ok()?;
         let gates: Vec<&Exercise> = chapter.exercises.iter().filter(|e| e.gate).collect();
         let known = |exercise: &&Exercise| {
             let done = self.of(&exercise.id);
             done.done && done.hints == 0 && !done.given_up
         };
-        if right && !gates.is_empty() && gates.iter().all(known) {
-            for exercise in &chapter.exercises {
-                if !self.is_over(&exercise.id) && !exercise.optional {
-                    self.entry(&exercise.id).skipped = true;
-                }
+        if !right || gates.is_empty() || !gates.iter().all(known) {
+            return None;
+        }
+        let mut skipped = Vec::new();
+        for exercise in &chapter.exercises {
+            if !self.is_over(&exercise.id) && !exercise.optional {
+                self.entry(&exercise.id).skipped = true;
+                skipped.push(exercise.id.as_str());
             }
         }
+        (!skipped.is_empty()).then(|| {
+            let names = skipped.join(", ");
+            format!(
+                "You know this chapter, so the rest of it is skipped and can still be done: {names}"
+            )
+        })
     }
 
     /// The next hint of an exercise, with its number from 1; none if there are no more.

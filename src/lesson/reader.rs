@@ -193,6 +193,14 @@ fn choices(says: &str, is_slide: bool, options: &[Choices], width: usize) -> Str
     out
 }
 
+/// The question of an exercise that asks for a value, as it stands after so many tries; empty for other kinds.
+pub fn question(course: &Course, chapter: &Chapter, exercise: &Exercise, tries: u32) -> String {
+    match &exercise.kind {
+        ExerciseKind::Predict { asked, .. } => of_question(course, chapter, exercise, asked, tries),
+        _ => String::new(),
+    }
+}
+
 /// A question with what is known before its answer.
 fn of_question(
     course: &Course,

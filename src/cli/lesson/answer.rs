@@ -1,6 +1,5 @@
 //! `raytree lesson answer`, `hint`, `solution` and `reset`: exercises without the screen.
 
-use std::fmt::Write as _;
 use std::io::{BufRead as _, IsTerminal as _, Read as _, Write as _};
 use std::path::Path;
 
@@ -12,7 +11,7 @@ use crate::cli::{Completion, Failure};
 use crate::grade::submission::Submission;
 use crate::lesson::answer::{StudentAnswer, judge};
 use crate::lesson::progress::ProgressFile;
-use crate::lesson::reader::markdown;
+use crate::lesson::reader::{markdown, question};
 use crate::lesson::solution::solution;
 use crate::lesson::{Course, ExerciseKind};
 use crate::scene::limits::MAX_CHANGED_BYTES;
@@ -25,7 +24,7 @@ use crate::trace::facts::TreePath;
 pub struct Answer {
     /// The exercise
     id: String,
-    /// The answer: a value, a pixel X,Y, the letter of an option, a mistake and a ray, the path of a file
+    /// The answer: a value, a pixel X,Y, the letter or number of an option, a mistake and a ray, the path of a file
     #[arg(required = true, num_args = 1.., allow_hyphen_values = true)]
     value: Vec<String>,
 }
@@ -36,23 +35,20 @@ impl Answer {
         let given = given(&exercise.kind, &self.value)?;
         let tries = state.progress().of(&self.id).asked_before();
         let verdict = judge(course, chapter, exercise, &given, tries).map_err(Failure::Usage)?;
-        state.change(|progress| {
-            progress.answered(course, &self.id, verdict.right);
+        let skipped = state.change(|progress| {
             progress.chapter.clone_from(&chapter.folder);
+            progress.answered(course, &self.id, verdict.right)
         });
-        let mut out: String = verdict
-            .lines
-            .iter()
-            .map(|line| printable(line).into_owned() + "\n")
-            .collect();
-        let is_asked = matches!(exercise.kind, ExerciseKind::Predict { .. });
-        if !verdict.right && is_asked {
-            let _ = writeln!(
-                out,
-                "Try again: raytree lesson run {} asks, about another pixel if there is one",
-                self.id
-            );
+        let lines = verdict.lines.iter().chain(&skipped);
+        let lines: Vec<&str> = lines.map(String::as_str).collect();
+        let mut text = lines.join("\n");
+        if !verdict.right {
+            // It may be about another pixel now.
+            let tries = state.progress().of(&self.id).asked_before();
+            text = text + "\n" + &question(course, chapter, exercise, tries);
         }
+        let lines = text.lines().map(|line| printable(line).into_owned());
+        let out: String = lines.map(|line| line + "\n").collect();
         to_stdout(out.as_bytes())?;
         Ok(if verdict.right {
             Completion::Whole
@@ -106,8 +102,11 @@ fn letter_of(text: &str) -> Option<char> {
     Some(number.map_or(letter, |n| crate::lesson::answer::letter(n as usize - 1)))
 }
 
-/// A ray by its steps: `/` for the eye ray, `/T/T`, `/L:lamp`.
+/// A ray by its steps: `/` or `I` for the eye ray, `/T/T`, `/L:lamp`.
 fn path_of(text: &str) -> Result<TreePath, String> {
+    if text == "I" {
+        return Ok(TreePath::default());
+    }
     let address: Address = format!("0,0{}", text.trim_end_matches('/'))
         .parse()
         .map_err(|what| {

@@ -1,4 +1,4 @@
-//! A broken law, and the first step that shows it.
+//! A broken law, and the first ray that shows it.
 
 use super::AnswerVerdict;
 use crate::grade::diff::TreeDiff;
@@ -25,14 +25,14 @@ pub fn judge(
         .parse()
         .map_err(|_| format!("`{}` is no mistake that is offered", excerpt(law)))?;
     let (first, what) = first_wrong(stage, bend, at)?;
-    let (is_law, is_step) = (named == bend, *path == first);
-    if !(is_law && is_step) {
-        return Ok(match (is_law, is_step) {
+    let (is_law, is_ray) = (named == bend, *path == first);
+    if !(is_law && is_ray) {
+        return Ok(match (is_law, is_ray) {
             (true, false) => AnswerVerdict::wrong(
-                "the mistake is right, the step is not: look for the first number that is wrong on the way from the eye",
+                "the mistake is right, the ray is not: look for the first number that is wrong on the way from the eye",
             ),
-            (false, true) => AnswerVerdict::wrong("the step is right, the mistake is another one"),
-            _ => AnswerVerdict::wrong("neither the mistake nor the step is right"),
+            (false, true) => AnswerVerdict::wrong("the ray is right, the mistake is another one"),
+            _ => AnswerVerdict::wrong("neither the mistake nor the ray is right"),
         });
     }
     let mut verdict = AnswerVerdict::right(format!("right: {}", bend.entry().note));

@@ -39,6 +39,14 @@ pub fn judge(
     Ok(verdict)
 }
 
+/// A number, or a fraction of two.
+fn number(text: &str) -> Option<f64> {
+    match text.split_once('/') {
+        Some((a, b)) => Some(a.parse::<f64>().ok()? / b.parse::<f64>().ok()?),
+        None => text.parse().ok(),
+    }
+}
+
 /// A value from its text.
 fn read(text: &str, form: &AnswerForm) -> Result<FieldValue, String> {
     let wrong = || format!("`{}` is not what is asked: {}", excerpt(text), form.asks());
@@ -46,13 +54,13 @@ fn read(text: &str, form: &AnswerForm) -> Result<FieldValue, String> {
         let text = text.trim().trim_start_matches('(').trim_end_matches(')');
         let parts = text.split([',', ' ', ';']).filter(|part| !part.is_empty());
         parts
-            .map(|part| part.parse().ok().filter(|x: &f64| x.is_finite()))
+            .map(|part| number(part).filter(|x| x.is_finite()))
             .collect()
     };
     match form {
         AnswerForm::Number => match numbers().as_deref() {
             Some([x]) => Ok(FieldValue::Number(*x)),
-            _ => Err(wrong()),
+            _ => Err(wrong() + ", such as 4.09 or 1/3"),
         },
         AnswerForm::Numbers(count) => {
             let all = numbers().filter(|all| all.len() == *count);
@@ -67,6 +75,27 @@ fn read(text: &str, form: &AnswerForm) -> Result<FieldValue, String> {
             let word = words.iter().find(|word| word.eq_ignore_ascii_case(text));
             let word = word.or(by_number).cloned().ok_or_else(wrong)?;
             Ok(FieldValue::Word(word))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_may_be_fractions() {
+        let of = |text| match read(text, &AnswerForm::Number) {
+            Ok(FieldValue::Number(x)) => Ok(x),
+            Ok(other) => Err(format!("{other:?}")),
+            Err(error) => Err(error),
+        };
+        assert_eq!(of("4.09"), Ok(4.09));
+        assert_eq!(of("-1e-3"), Ok(-1e-3));
+        assert_eq!(of("1/480"), Ok(1.0 / 480.0));
+        for wrong in ["4,09", "1/0", "1/", "half", ""] {
+            let error = of(wrong).expect_err(wrong);
+            assert!(error.contains("a number, such as 4.09 or 1/3"), "{error}");
         }
     }
 }

@@ -83,9 +83,12 @@ fn check(model: &mut LessonModel, reply: AskReply) {
             attempt.tries += 1;
             let right = verdict.right;
             tell(attempt, &exercise.kind, &verdict);
-            model
+            let skipped = model
                 .progress
                 .change(|progress| progress.answered(&course, &exercise.id, right));
+            if let Some(skipped) = skipped {
+                say(model, skipped);
+            }
         }
         // What cannot be read is no answer.
         Err(error) => say(model, error),

@@ -186,7 +186,7 @@ impl AttemptMaker<'_> {
         };
         let told = match text(&self.exercise().text) {
             told if told.is_empty() => {
-                "Which law is broken, and which step shows it first?".to_owned()
+                "Which law is broken, and on which ray does it first show?".to_owned()
             }
             told => told,
         };
@@ -250,14 +250,14 @@ impl Attempt {
         })
     }
 
-    /// The ray of an event of the open tree.
+    /// The ray of an event of the open tree; the eye ray before the first one is sent.
     fn path(&self, event: usize) -> Option<TreePath> {
         let AttemptPlace::Debugger(program) = &self.place else {
             return None;
         };
         let session = program.model.session.as_ref()?;
-        let node = session.tree().node_of_event(event)?;
-        Some(path_of(session.view(), node))
+        let node = session.tree().node_of_event(event);
+        Some(node.map_or_else(TreePath::default, |node| path_of(session.view(), node)))
     }
 }
 

@@ -52,7 +52,7 @@ pub enum AskKind {
     Word(Vec<String>),
     /// A pixel of the picture.
     Pixel,
-    /// A law of these, and the step under the cursor.
+    /// A law of these, and the ray under the cursor.
     Law {
         /// What may be broken.
         among: Vec<String>,

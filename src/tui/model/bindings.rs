@@ -113,7 +113,7 @@ pub const ACTIONS: &[Binding] = {
             (ch('6'), A::Reply(6)), (ch('7'), A::Reply(7)), (ch('8'), A::Reply(8)), (ch('9'), A::Reply(9))],
             "answer", "Answer by the word with this number. Numbers are typed, Enter gives them."),
         row(Question, true, &[(key(Enter), A::Give)], "give the answer", "Give the number that is typed, or the pixel under the cursor; where the answer is told, go on."),
-        row(Question, true, &[(ch('b'), A::Laws)], "name the law", "Of a broken tracer: choose the law that is broken. The step under the cursor belongs to the answer."),
+        row(Question, true, &[(ch('b'), A::Laws)], "name the law", "Of a broken tracer: choose the law that is broken. The ray under the cursor belongs to the answer."),
         row(Question, false, &[(ch('d'), A::WithOurs)], "difference", "Of a broken tracer, after two hints: where its tree and ours differ."),
         row(Question, true, &[(ch('H'), A::Hint)], "hint", "The next of three hints: where to look, which law, almost the answer."),
 

@@ -48,6 +48,14 @@ impl PlaceList {
         }
     }
 
+    /// What Enter does with the chosen line.
+    pub fn verb(&self) -> &'static str {
+        match self.lines.first().map(|line| &line.place) {
+            Some(LineGoal::Law(_)) => "answers",
+            _ => "goes there",
+        }
+    }
+
     /// Chooses a line so many further down.
     pub fn choose(&mut self, by: i32) {
         let last = self.lines.len().saturating_sub(1);

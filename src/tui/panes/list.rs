@@ -34,7 +34,11 @@ pub fn draw(model: &Model, screen: Rect, buffer: &mut Buffer) {
     let height = (list.lines.len() + head.len() + 2).min(usize::from(screen.height));
     let area = screen.centered(Constraint::Length(width), Constraint::Length(height as u16));
     Clear.render(area, buffer);
-    let title = format!(" {} (↓ ↑ choose, Enter goes there, q closes) ", list.title);
+    let title = format!(
+        " {} (↓ ↑ choose, Enter {}, q closes) ",
+        list.title,
+        list.verb()
+    );
     let title = shortened(&title, usize::from(width.saturating_sub(2)));
     Block::bordered()
         .border_type(BorderType::Double)

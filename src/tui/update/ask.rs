@@ -93,7 +93,7 @@ pub fn leaves(model: &mut Model) -> bool {
     leaves
 }
 
-/// A law was chosen for the step under the cursor.
+/// A law was chosen for the ray under the cursor.
 pub fn give_law(model: &mut Model, law: usize) {
     let event = model.session.as_ref().map(|s| s.cursor().position());
     if let (Some(ask), Some(event)) = (&mut model.ask, event) {
@@ -101,9 +101,11 @@ pub fn give_law(model: &mut Model, law: usize) {
     }
 }
 
-/// True if a question keeps to its pixel and its settings, and tells that.
+/// True if a question keeps to its pixel and its settings, and tells that. A broken tracer may be looked at beside its pixel, too.
 pub fn refuses(model: &mut Model, action: Action) -> bool {
-    let refuses = model.ask.as_ref().is_some_and(AskState::hides)
+    let is_neighbour = matches!(action, Action::Neighbour(..)) && model.session.is_some();
+    let hides = |ask: &AskState| ask.hides() && !(is_neighbour && ask.is_of_a_bug());
+    let refuses = model.ask.as_ref().is_some_and(hides)
         && (is_behind(action) || model.session.is_none() && is_of_pixels(action));
     if refuses {
         model.message = Some(BEHIND.to_owned());
