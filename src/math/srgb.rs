@@ -20,7 +20,7 @@ pub fn linear(encoded: f64) -> f64 {
     }
 }
 
-/// The 8 bits of a linear value in [0, 1]: those of [`byte_by_formula`], looked up. (A picture asks a million times, and a power
+/// The 8 bits of a linear value in [0, 1]: the curve, rounded, but looked up. (A picture asks a million times, and a power
 /// takes longer than all the light of a pixel without mirrors.)
 pub fn byte(linear: f64) -> u8 {
     STEPS.partition_point(|step| *step <= linear) as u8
