@@ -29,6 +29,22 @@ impl TestRays {
         2.0 * self.unit() - 1.0
     }
 
+    /// A number at the end of what there is, or none.
+    pub fn strange(&mut self) -> f64 {
+        const STRANGE: [f64; 9] = [
+            0.0,
+            -0.0,
+            1.0,
+            1e-320,
+            1e-200,
+            1e200,
+            f64::MAX,
+            f64::INFINITY,
+            f64::NAN,
+        ];
+        STRANGE[(9.0 * self.unit()) as usize]
+    }
+
     /// A point of the cube from -1 to 1.
     pub fn in_cube(&mut self) -> DVec3 {
         DVec3::new(self.signed(), self.signed(), self.signed())

@@ -177,7 +177,7 @@ impl AskState {
         match code {
             KeyCode::Char('0'..='9' | '.' | '-' | ',' | '(') => {}
             // Letters and blanks mean something else until a number is begun.
-            KeyCode::Char('e' | 'E' | '+' | ' ' | ')') if is_begun => {}
+            KeyCode::Char('e' | 'E' | '+' | '/' | ' ' | ')') if is_begun => {}
             KeyCode::Backspace if is_begun => {
                 self.typed.pop();
                 return AskKey::Taken;
@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn numbers_are_taken_as_they_are_typed() {
-        for typed in ["-2.5", "1e-3", "0.5,-1, 2"] {
+        for typed in ["-2.5", "1e-3", "1/3", "0.5,-1, 2"] {
             let mut ask = numbers();
             type_in(&mut ask, typed);
             ask.press(KeyCode::Char('7'));
@@ -249,6 +249,7 @@ mod tests {
         let mut ask = numbers();
         for code in [
             KeyCode::Char('e'),
+            KeyCode::Char('/'),
             KeyCode::Char(' '),
             KeyCode::Enter,
             KeyCode::Backspace,
