@@ -20,8 +20,8 @@ pub fn linear(encoded: f64) -> f64 {
     }
 }
 
-/// The 8 bits of a linear value in [0, 1]: the curve, rounded, but looked up. (A picture asks a million times, and a power
-/// takes longer than all the light of a pixel without mirrors.)
+/// The 8 bits of a linear value in [0, 1]: the curve, rounded, but looked up. (A picture asks three times a pixel, and
+/// powers are slow.)
 pub fn byte(linear: f64) -> u8 {
     STEPS.partition_point(|step| *step <= linear) as u8
 }
