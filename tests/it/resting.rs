@@ -68,6 +68,10 @@ fn what_touches_at_points_looks_as_if_all_were_asked() {
             ([0.0, 1e-3, 5.0], [0.0, 0.0, 0.0], 1e-4),
             ([1.0, 2.5, 3.0], touching, 1e-3),
             ([0.1, 1.2, 0.1], [0.0, 0.0, 0.0], 90.0),
+            ([0.1, 1.2, 0.1], [0.0, 0.0, 0.0], 1e-3),
+            ([0.1, 1.2, 0.1], [0.0, 0.0, 0.0], 1e-6),
+            ([0.1, 1.2, 0.1], touching, 1e-3),
+            ([0.1, 1.2, 0.1], touching, 1e-6),
         ] {
             let at = |p: [f64; 3]| [p[0] + moved, p[1], p[2]];
             let camera = json!({"eye": at(eye), "look_at": at(look_at), "vertical_fov": fov});
