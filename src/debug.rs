@@ -24,6 +24,7 @@ pub mod picture;
 pub mod progressive;
 pub mod projection;
 pub mod ranking;
+pub mod ray_search;
 pub mod row_text;
 pub mod rows;
 pub mod running;

@@ -4,8 +4,6 @@
 //! A tree may have a million rays. The rows are made from the log once; opening and closing makes a new list of
 //! indices; a screen looks at only those rows that it shows.
 
-use std::collections::HashSet;
-
 use crate::probe::{Event, NONE};
 use crate::scene::limits::MAX_LIGHT_SAMPLES;
 use crate::trace::RayTree;
@@ -57,14 +55,14 @@ impl TreeRow {
 pub struct TreeRows {
     all: Vec<TreeRow>,
     visible: Vec<u32>,
-    closed: HashSet<u32>,
+    /// Of each row whether it is closed.
+    closed: Vec<bool>,
 }
 
 impl TreeRows {
     /// The rows of a tree, all open but the bundles.
     pub fn new(tree: &RayTree) -> Self {
         let mut all: Vec<TreeRow> = Vec::new();
-        let mut closed = HashSet::new();
         let mut nodes = 0;
         // The bundle that is going on: its row, the ray that sent it, its light.
         let mut bundle: Option<(usize, u32, u32)> = None;
@@ -88,7 +86,6 @@ impl TreeRows {
             let mut of_bundle = NONE;
             if let Event::LightSamples { light, .. } = what {
                 bundle = Some((all.len(), node, *light));
-                closed.insert(event);
             } else if let Some((row, sent_by, to)) = bundle
                 && (sender, light) == (Some(sent_by), Some(to))
             {
@@ -103,10 +100,11 @@ impl TreeRows {
                 bundle: of_bundle,
             });
         }
+        let is_bundle = |row: &TreeRow| row.kind == RowKind::LightSamples;
         let mut rows = Self {
+            closed: all.iter().map(is_bundle).collect(),
             all,
-            closed,
-            ..Self::default()
+            visible: Vec::new(),
         };
         rows.list();
         rows
@@ -118,7 +116,7 @@ impl TreeRows {
         let mut next = 0;
         while let Some(row) = self.all.get(next) {
             self.visible.push(next as u32);
-            next = if self.closed.contains(&row.event) {
+            next = if self.closed[next] {
                 self.behind(row.end)
             } else {
                 next + 1
@@ -129,6 +127,18 @@ impl TreeRows {
     /// The number of the first row behind an event.
     fn behind(&self, event: u32) -> usize {
         self.all.partition_point(|row| row.event <= event)
+    }
+
+    /// The number of the row of an event.
+    fn number(&self, event: u32) -> Option<usize> {
+        let number = self.behind(event).checked_sub(1)?;
+        (self.all[number].event == event).then_some(number)
+    }
+
+    /// Closes or opens the row of an event. True if it was not so before.
+    fn set(&mut self, event: u32, closed: bool) -> bool {
+        let number = self.number(event);
+        number.is_some_and(|n| std::mem::replace(&mut self.closed[n], closed) != closed)
     }
 
     /// How many rows can be seen.
@@ -158,35 +168,26 @@ impl TreeRows {
 
     /// True if what hangs on a row is hidden.
     pub fn is_closed(&self, row: TreeRow) -> bool {
-        self.closed.contains(&row.event)
+        self.number(row.event).is_some_and(|n| self.closed[n])
     }
 
     /// Hides or shows what hangs on a row.
     pub fn close(&mut self, row: TreeRow, closed: bool) {
-        let changed = if closed {
-            self.closed.insert(row.event)
-        } else {
-            self.closed.remove(&row.event)
-        };
-        if changed {
+        if self.set(row.event, closed) {
             self.list();
         }
     }
 
     /// Opens all rays and bundles around an event, so that its row can be seen.
     pub fn reveal(&mut self, tree: &RayTree, event: usize) {
-        if self.closed.is_empty() {
-            return;
-        }
         // The row that the event belongs to may itself stay closed.
         let target = self.row_event(tree, event);
         let mut changed = false;
-        let mut around = |first: u32| changed |= self.closed.remove(&first);
         let mut node = tree.node_of_event(target as usize);
         while let Some(id) = node {
             let first = tree.node(id).first_event;
             if first != target {
-                around(first);
+                changed |= self.set(first, false);
             }
             node = tree.node(id).parent;
         }
@@ -196,7 +197,7 @@ impl TreeRows {
             .take(MAX_BUNDLE)
             .find(|row| row.kind == RowKind::LightSamples && row.event < target);
         if let Some(bundle) = bundle.filter(|row| row.end >= target) {
-            changed |= self.closed.remove(&bundle.event);
+            changed |= self.set(bundle.event, false);
         }
         if changed {
             self.list();
@@ -205,10 +206,8 @@ impl TreeRows {
 
     /// The event of the row that an event belongs to.
     fn row_event(&self, tree: &RayTree, event: usize) -> u32 {
-        let own = |row: &&TreeRow| row.event == event as u32;
-        let before = self.all.get(self.behind(event as u32).wrapping_sub(1));
-        match before.filter(own) {
-            Some(row) => row.event,
+        match self.number(event as u32) {
+            Some(number) => self.all[number].event,
             None => tree
                 .node_of_event(event)
                 .map_or(0, |node| tree.node(node).first_event),

@@ -1,7 +1,5 @@
-//! QuerySearch by a query: the pixels of a picture whose ray trees satisfy it, and the rays of an open tree that do.
+//! Search of a picture for the pixels whose ray trees satisfy a query.
 
-use super::cursor::Cursor;
-use super::session::Session;
 use crate::trace::TreeQuery;
 
 /// Queries to begin with.
@@ -15,9 +13,6 @@ pub const READY: [&str; 8] = [
     "luminance > 1",
     "miss",
 ];
-
-/// Rays of a tree at most of which all that satisfy a query are counted.
-const COUNTED: usize = 20_000;
 
 /// A query, and the pixels that were found so far.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,66 +109,6 @@ impl QuerySearch {
     /// The place of a pixel in the order of reading.
     fn place(&self, (x, y): (u32, u32)) -> u64 {
         u64::from(y) * u64::from(self.width) + u64::from(x)
-    }
-}
-
-impl Session {
-    /// Goes to the next ray that satisfies a query, or to the one before; what the query asks of any ray is asked of each. Tells
-    /// which it is, or that there is none, and then the cursor stays.
-    pub fn find(&mut self, query: &TreeQuery, forward: bool) -> Result<String, String> {
-        let query = query.of_each_ray();
-        let tree = self.tree();
-        let here = self.cursor().position();
-        let event = |node: u32| query.event(self.view(), node);
-        let all = 0..tree.nodes.len() as u32;
-        let mut events = all.clone().filter_map(event);
-        let (found, around) = if forward {
-            let first = events.next();
-            let next = first
-                .filter(|at| *at > here)
-                .or_else(|| events.find(|at| *at > here));
-            (next.or(first), next.is_none())
-        } else {
-            let mut back = all.clone().rev().filter_map(event);
-            let last = back.next();
-            let next = last
-                .filter(|at| *at < here)
-                .or_else(|| back.find(|at| *at < here));
-            (next.or(last), next.is_none())
-        };
-        let Some(found) = found else {
-            let place = match self.horizon() {
-                Some(_) => "before the question",
-                None => "of this tree",
-            };
-            return Err(format!("no ray {place} satisfies it"));
-        };
-        let mut told = String::new();
-        if tree.nodes.len() <= COUNTED {
-            let events: Vec<usize> = all.filter_map(event).collect();
-            let number = events.iter().filter(|at| **at <= found).count();
-            let known = self.horizon().map_or("", |_| " before the question");
-            told = format!("ray {number} of {}{known} that satisfy it", events.len());
-        }
-        if around {
-            told += match (found == here, forward) {
-                (true, _) => " (there is no other)",
-                (false, true) => " (from the start again)",
-                (false, false) => " (from the end again)",
-            };
-        }
-        self.go(Cursor::at(self.tree(), found));
-        Ok(told)
-    }
-
-    /// Goes to the first ray that satisfies a query, if there is one.
-    pub fn find_first(&mut self, query: &TreeQuery) {
-        let each = query.of_each_ray();
-        let mut all = 0..self.tree().nodes.len() as u32;
-        let found = all.find_map(|n| each.event(self.view(), n));
-        if let Some(found) = found {
-            self.go(Cursor::at(self.tree(), found));
-        }
     }
 }
 

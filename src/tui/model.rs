@@ -21,7 +21,7 @@ pub use action::{Action, Context};
 pub use change::{Before, PendingChange};
 pub use layout::{Pane, Panes, inside};
 pub use message::{Job, JobOutput, Message, Mouse};
-pub use motion::{Play, PlayUnit};
+pub use motion::{LongRun, Play, PlayUnit};
 pub use options::Options;
 pub use overlay::{Overlay, Prompt};
 pub use state::{Model, Request};

@@ -3,6 +3,7 @@
 use super::session;
 use crate::debug::asked::asked;
 use crate::debug::horizon::BEHIND;
+use crate::debug::ray_search::RaySearch;
 use crate::debug::running::running_sum;
 use crate::debug::samples::samples;
 use crate::debug::{Cursor, RowText, Session, StepCommand, TreeRow};
@@ -145,7 +146,9 @@ fn places_behind_the_horizon_are_refused_in_one_sentence() {
         assert_eq!(told, Err(BEHIND.to_owned()), "{text}");
     }
     assert_eq!(session.go_to_address(&address("32,24/T")), Ok(()));
-    let told = session.find(&"depth >= 50".parse().expect("a query"), true);
+    let mut search = RaySearch::new(&"depth >= 50".parse().expect("a query"), 0, true);
+    let found = search.go_on(&session, None).expect("no clock stops it");
+    let told = search.finish(&mut session, found);
     assert!(told.is_err_and(|told| told.contains("before the question")));
     session.set_horizon(None);
     assert_eq!(session.go_to_address(&at), Ok(()));

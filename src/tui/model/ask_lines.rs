@@ -68,7 +68,10 @@ pub fn ask_lines(ask: &AskState, width: u16) -> Vec<(AskPart, String)> {
 
 /// Words with their numbers: in a line if there is room, else one below the other.
 fn choices(words: &[String], width: usize) -> Vec<(AskPart, String)> {
-    let numbered = words.iter().zip(1..).map(|(word, n)| format!("{n} {word}"));
+    let numbered = words
+        .iter()
+        .zip(1..)
+        .map(|(word, n)| format!("{n}) {word}"));
     let numbered: Vec<String> = numbered.collect();
     let line = numbered.join("    ");
     if columns(&line) <= width {

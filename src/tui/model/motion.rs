@@ -2,6 +2,9 @@
 
 use std::time::Instant;
 
+use crate::debug::breaks::BreakPoint;
+use crate::debug::log_run::LogRun;
+use crate::debug::ray_search::RaySearch;
 use crate::trace::Address;
 
 /// Steps that run by themselves.
@@ -25,6 +28,15 @@ pub enum PlayUnit {
     Rays,
     /// A ray, in the order of the tree's levels.
     Levels,
+}
+
+/// What takes long: it goes on between frames until it ends or a key stops it.
+#[derive(Clone, Debug)]
+pub enum LongRun {
+    /// A run through the log to the first of these break points.
+    ToBreak(LogRun, Vec<BreakPoint>),
+    /// A search for the next ray that satisfies a query.
+    ToRay(RaySearch),
 }
 
 /// Places that were left by a jump, and those that were left by going back; the nearest at the end.

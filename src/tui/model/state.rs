@@ -12,13 +12,12 @@ use super::ask_lines::ask_rows;
 use super::change::{Before, PendingChange};
 use super::layout::{Pane, Panes, Shown, inside};
 use super::message::Job;
-use super::motion::{History, Play, PlayUnit};
+use super::motion::{History, LongRun, Play, PlayUnit};
 use super::options::Options;
 use super::overlay::Overlay;
 use super::placement::Placement;
 use crate::debug::breaks::BreakPoint;
 use crate::debug::fan::Fan;
-use crate::debug::log_run::LogRun;
 use crate::debug::marks::Marks;
 use crate::debug::watch::Watch;
 use crate::debug::{
@@ -91,8 +90,8 @@ pub struct Model {
     pub play_unit: PlayUnit,
     /// Where a run through the log stops.
     pub breaks: Vec<BreakPoint>,
-    /// A run that takes long, and what stops it.
-    pub running: Option<(LogRun, Vec<BreakPoint>)>,
+    /// A run or a search that takes long.
+    pub running: Option<LongRun>,
     /// Numbers that are watched.
     pub watches: Vec<Watch>,
     /// Places that were left by jumps.

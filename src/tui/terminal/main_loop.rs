@@ -146,7 +146,8 @@ fn main_loop(screen: &mut Screen, program: &mut impl Interactive) -> io::Result<
         {
             screen.copy(&text)?;
         }
-        if is_moving(program) {
+        // What takes long goes on behind the key that it was asked for by.
+        if !answer && is_moving(program) {
             let before = program.debugger().map(cursor);
             program.send(Message::Tick(Instant::now()));
             changed |= program

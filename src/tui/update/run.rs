@@ -2,11 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use super::history;
+use super::{history, search};
 use crate::debug::breaks::{self, BreakPoint};
 use crate::debug::log_run::{LogRun, Run};
 use crate::debug::watch::Watch;
-use crate::tui::model::Model;
+use crate::tui::model::{LongRun, Model};
 
 /// How long a key waits for a run; it goes on afterwards.
 const AT_ONCE: Duration = Duration::from_millis(8);
@@ -91,19 +91,33 @@ fn start(model: &mut Model, points: Vec<BreakPoint>, forward: bool) {
         return;
     };
     let run = LogRun::new(&points, session.cursor().position(), forward);
-    model.running = Some((run, points));
+    begin(model, LongRun::ToBreak(run, points));
+}
+
+/// Begins what may take long.
+pub fn begin(model: &mut Model, run: LongRun) {
+    model.running = Some(run);
     go_on(model);
 }
 
-/// Goes on with a run for some milliseconds.
+/// Goes on with it for some milliseconds.
 pub fn go_on(model: &mut Model) {
-    let (Some((mut run, points)), Some(session)) = (model.running.take(), &model.session) else {
+    let until = Instant::now() + AT_ONCE;
+    match model.running.take() {
+        None => {}
+        Some(LongRun::ToBreak(run, points)) => to_break(model, run, points, until),
+        Some(LongRun::ToRay(ray)) => search::go_on(model, ray, until),
+    }
+}
+
+fn to_break(model: &mut Model, mut run: LogRun, points: Vec<BreakPoint>, until: Instant) {
+    let Some(session) = &model.session else {
         return;
     };
-    match run.go_on(session, &points, Instant::now() + AT_ONCE) {
+    match run.go_on(session, &points, until) {
         Run::Paused => {
             let (at, all) = (run.at, session.tree().events.len());
-            model.running = Some((run, points));
+            model.running = Some(LongRun::ToBreak(run, points));
             model.message = Some(format!("running: event {at} of {all}; any key stops"));
         }
         Run::Ended => {

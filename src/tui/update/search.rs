@@ -1,20 +1,18 @@
 //! Search: a query, what it finds in the picture and in the open tree.
 
-use super::{history, image};
+use std::time::Instant;
+
+use super::{history, image, run};
 use crate::debug::QuerySearch;
+use crate::debug::ray_search::RaySearch;
+use crate::trace::TreeQuery;
 use crate::trace::query::unknown_names;
-use crate::tui::model::{Job, Model};
+use crate::tui::model::{Job, LongRun, Model};
 
 /// Begins to search for a query; in an open tree also for the next ray that satisfies it.
 pub fn start(model: &mut Model, text: &str) -> Result<(), String> {
     let mut search = QuerySearch::new(text, model.picture.size.0)?;
-    if let Some(session) = &mut model.session {
-        model.message = Some(
-            session
-                .find(&search.query, true)
-                .unwrap_or_else(|none| none),
-        );
-    }
+    in_tree(model, &search.query, true);
     // A name that nothing has is likely a slip.
     if let Some(unknown) = unknown_names(&search.query, &model.world.scene) {
         model.message = Some(unknown);
@@ -38,8 +36,7 @@ pub fn next(model: &mut Model, forward: bool) {
     if model.session.is_some() {
         history::leave(model);
     }
-    if let Some(session) = &mut model.session {
-        model.message = Some(session.find(&query, forward).unwrap_or_else(|none| none));
+    if in_tree(model, &query, forward) {
         return;
     }
     let Some(search) = &model.search else {
@@ -49,6 +46,31 @@ pub fn next(model: &mut Model, forward: bool) {
         Some(pixel) => go(model, pixel),
         None => model.message = Some(search.told(model.picture.cursor)),
     }
+}
+
+/// Searches the open tree, if there is one, for the next ray or the one before.
+fn in_tree(model: &mut Model, query: &TreeQuery, forward: bool) -> bool {
+    let Some(session) = &model.session else {
+        return false;
+    };
+    let search = RaySearch::new(query, session.cursor().position(), forward);
+    run::begin(model, LongRun::ToRay(search));
+    true
+}
+
+/// Goes on with a search of the open tree.
+pub fn go_on(model: &mut Model, mut search: RaySearch, until: Instant) {
+    let Some(session) = &mut model.session else {
+        return;
+    };
+    let told = if let Some(found) = search.go_on(session, Some(until)) {
+        search.finish(session, found).unwrap_or_else(|none| none)
+    } else {
+        let (at, all) = (search.looked_at, session.tree().nodes.len());
+        model.running = Some(LongRun::ToRay(search));
+        format!("searching: {at} of {all} rays; any key stops")
+    };
+    model.message = Some(told);
 }
 
 /// Pixels were found, among the next so many.
