@@ -131,7 +131,7 @@ impl Stage {
         stage
     }
 
-    /// The recording of a pixel, with the steps through the accelerator; an error if it is not in the picture.
+    /// The recording of a pixel, with the steps through the accelerator; an error if it is not in the picture, or takes more rays than are allowed.
     pub fn traced(&self, at: (u32, u32)) -> Result<PixelTrace, String> {
         let (width, height) = self.settings.size();
         if at.0 >= width || at.1 >= height {
@@ -140,7 +140,15 @@ impl Stage {
                 at.0, at.1
             ));
         }
-        Ok(trace_pixel(&self.world, &self.settings, at, true))
+        let trace = trace_pixel(&self.world, &self.settings, at, true);
+        if trace.pixel.truncated {
+            return Err(format!(
+                "pixel {},{} takes more than {} rays, the most here: its numbers would be those of a part; \
+                 ask for fewer samples",
+                at.0, at.1, self.settings.recursion.max_rays
+            ));
+        }
+        Ok(trace)
     }
 
     /// A recording with all that explains it.

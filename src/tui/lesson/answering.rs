@@ -128,15 +128,12 @@ fn slide_fails(model: &mut LessonModel, at: (u32, u32)) {
         screen: model.screen,
         options: &model.options,
     };
-    let place = maker.choice(options);
+    let (x, y) = at;
+    let asked = format!("At pixel {x},{y} the slide is wrong. What is right?");
+    let place = maker.choice(&asked, options);
     if let Some(attempt) = &mut model.attempt {
         (attempt.slide, attempt.place) = (Some(at), place);
     }
-    let told = format!(
-        "at pixel {},{} the slide is wrong: what is right?",
-        at.0, at.1
-    );
-    model.message = Some(told);
 }
 
 /// Tells a verdict beside the question.

@@ -9,7 +9,7 @@ use crate::lesson::exercise::{Choices, ExerciseKind};
 use crate::lesson::markdown::{plain, words};
 use crate::lesson::off::off;
 use crate::lesson::question::{AnswerForm, Question};
-use crate::lesson::value::LessonValue;
+use crate::lesson::value::{AskedValue, LessonValue};
 use crate::lesson::{Chapter, Course, Exercise, Stage};
 use crate::scene::Bend;
 use crate::scene::printable::printable;
@@ -81,7 +81,13 @@ impl AttemptMaker<'_> {
                 };
                 self.pixel(&format!("A slide says: {}\n{asked}", text(says)))?
             }
-            ExerciseKind::Choose { options, .. } => self.choice(options),
+            ExerciseKind::Choose { options, .. } => {
+                let asked = match text(&exercise.text) {
+                    asked if asked.is_empty() => "What is right?".to_owned(),
+                    asked => asked,
+                };
+                self.choice(&asked, options)
+            }
             ExerciseKind::Change(_) | ExerciseKind::Write { .. } => return Ok(None),
         };
         Ok(Some(Attempt {
@@ -153,12 +159,8 @@ impl AttemptMaker<'_> {
             return Ok(AttemptPlace::Here(Box::new(self.ask(&told, kind, None))));
         };
         let stage = stage.with(&asked.settings)?;
+        let told = again(asked, ray.pixel) + &told;
         let mut ask = self.ask(&told, kind, Some(&stage));
-        if self.tries > 0 {
-            let (x, y) = ray.pixel;
-            let again = format!(" This time: pixel {x},{y}. Take the numbers from the tree.");
-            ask.text.push_str(&again);
-        }
         let at = ray.address();
         let open = Address {
             part: None,
@@ -202,15 +204,9 @@ impl AttemptMaker<'_> {
     }
 
     /// Answers to choose among.
-    pub fn choice(&self, options: &[Choices]) -> AttemptPlace {
-        let told = text(&self.exercise().text);
+    pub fn choice(&self, asked: &str, options: &[Choices]) -> AttemptPlace {
         let words = options.iter().map(|option| text(&option.text)).collect();
-        let told = if told.is_empty() {
-            "What is right?"
-        } else {
-            &told
-        };
-        AttemptPlace::Here(Box::new(self.ask(told, AskKind::Word(words), None)))
+        AttemptPlace::Here(Box::new(self.ask(asked, AskKind::Word(words), None)))
     }
 }
 
@@ -258,6 +254,17 @@ impl Attempt {
         let session = program.model.session.as_ref()?;
         let node = session.tree().node_of_event(event);
         Some(node.map_or_else(TreePath::default, |node| path_of(session.view(), node)))
+    }
+}
+
+/// What stands before a question that is asked again, about another pixel than its text names.
+fn again(asked: &LessonValue, (x, y): (u32, u32)) -> String {
+    match &asked.what {
+        AskedValue::Field(first, _) if first.pixel != (x, y) => {
+            let (a, b) = first.pixel;
+            format!("This time pixel {x},{y}, not {a},{b}: take its numbers from the tree. ")
+        }
+        _ => String::new(),
     }
 }
 

@@ -76,10 +76,15 @@ fn of(line: Line<'static>) -> PageLine {
 /// Markdown in lines. What cannot be read is shown as it is.
 pub fn text_lines(text: &str, width: usize) -> Vec<PageLine> {
     match markdown::blocks(text) {
-        Ok(blocks) => blocks
-            .iter()
-            .flat_map(|block| block_lines(block, width))
-            .collect(),
+        Ok(blocks) => {
+            let mut lines = Vec::new();
+            for (number, block) in blocks.iter().enumerate() {
+                lines.extend(block_lines(block, width));
+                let is_last_item = is_item(block) && !blocks.get(number + 1).is_some_and(is_item);
+                lines.extend(is_last_item.then(PageLine::default));
+            }
+            lines
+        }
         Err(_) => text
             .lines()
             .flat_map(|line| wrap(line, width))
@@ -88,6 +93,11 @@ pub fn text_lines(text: &str, width: usize) -> Vec<PageLine> {
     }
 }
 
+fn is_item(block: &TextBlock) -> bool {
+    matches!(block, TextBlock::Item(..))
+}
+
+/// The lines of a block and a blank one; items of a list stand close together.
 fn block_lines(block: &TextBlock, width: usize) -> Vec<PageLine> {
     let blank = PageLine::default();
     let mut lines: Vec<PageLine> = match block {
