@@ -14,7 +14,7 @@ use super::{
     Aabb, Arithmetic, Cuboid, Disc, Intersection, Plane, Polygon, Shear, Span, Spans, Sphere,
     SurfacePatch, SurfacePoint, Triangle,
 };
-use crate::math::{Interval, Ray};
+use crate::math::{DVec3, Interval, Ray};
 
 /// A shape in the world: the closed set of what can be hit. Those that are larger than a triangle are boxed, since
 /// there may be millions of triangles.
@@ -186,6 +186,16 @@ impl Shape {
             Self::Sphere(sphere) => sphere.bare_surface(ray, t),
             Self::Transformed(transformed) => transformed.bare_surface(ray, t, part),
             other => other.surface(ray, t, [0.0; 3], part),
+        }
+    }
+
+    /// The gradient of the equation F = 0 of a curved surface at a point of a part, in world space: at right angles to the surface,
+    /// outwards. None where there is no equation but a plane's or a table's, and for spheres, whose normal needs none.
+    pub fn gradient(&self, point: DVec3, part: u32) -> Option<DVec3> {
+        match self.plain() {
+            Self::Body(body) => body.gradient(point, part),
+            Self::Transformed(transformed) => transformed.gradient(point, part),
+            _ => None,
         }
     }
 

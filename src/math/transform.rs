@@ -42,7 +42,18 @@ impl Transform {
     /// A unit normal of the object as a unit normal in the world: by the transposed inverse, so that it stays at
     /// right angles to the surface when that is stretched.
     pub fn normal(&self, n: DVec3) -> DVec3 {
-        (self.to_object.matrix3.transpose() * n).normalize()
+        self.gradient(n).normalize()
+    }
+
+    /// The gradient of an equation of the object, at a point of the world, from its gradient at the same point of the object: F is
+    /// there what it is here, so by the chain rule the transposed inverse times it.
+    pub fn gradient(&self, g: DVec3) -> DVec3 {
+        self.to_object.matrix3.transpose() * g
+    }
+
+    /// A point of the world in the object's space.
+    pub fn point_to_object(&self, p: DVec3) -> DVec3 {
+        self.to_object.transform_point3(p)
     }
 
     /// A world-space ray in the object's space. The direction keeps its scale, so `t` means the same in both.

@@ -18,7 +18,7 @@ use crate::scene::printable::excerpt;
 use crate::scene::read::did_you_mean::did_you_mean;
 
 /// Names that stand for a field of the hit point.
-const OF_HIT: [&str; 11] = [
+const OF_HIT: [&str; 12] = [
     "t",
     "point",
     "object",
@@ -26,6 +26,7 @@ const OF_HIT: [&str; 11] = [
     "part",
     "barycentric",
     "uv",
+    "gradient",
     "normal",
     "geometric_normal",
     "side",

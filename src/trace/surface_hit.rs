@@ -3,7 +3,7 @@
 use super::View;
 use super::tree::Outcome;
 use crate::geometry::Hit;
-use crate::math::Ray;
+use crate::math::{DVec3, Ray};
 use crate::scene::Object;
 use crate::shading::{Interaction, Material};
 use crate::tracer::laws::Laws as _;
@@ -26,6 +26,8 @@ pub struct SurfaceHit<'a> {
     pub part: Option<&'a str>,
     /// Weights of a triangle's corners.
     pub barycentric: Option<[f64; 3]>,
+    /// The gradient of the equation of a curved surface that has one, outwards; a sphere's is twice the way from its middle.
+    pub gradient: Option<DVec3>,
     /// Its material.
     pub material: &'a Material,
 }
@@ -48,6 +50,7 @@ impl<'a> View<'a> {
             primitive: scene.local_index(hit.primitive),
             part: scene.part_name(&hit),
             barycentric: scene.barycentric(&hit),
+            gradient: scene.shapes[hit.primitive as usize].gradient(at.point, hit.part),
             material: scene.material_at(&hit),
         })
     }

@@ -100,6 +100,18 @@ impl Body {
         }
     }
 
+    /// The gradient of its equation F = 0 at a point of a part, outwards; of a csg that of the part. None on flat parts.
+    pub fn gradient(&self, point: DVec3, part: u32) -> Option<DVec3> {
+        let is_curved = part == 0;
+        match self {
+            Self::Quadric(quadric) => is_curved.then(|| quadric.gradient(point)),
+            Self::BoxedQuadric(quadric) => is_curved.then(|| quadric.form().gradient(point)),
+            Self::Torus(torus) => Some(torus.gradient(point)),
+            Self::Quartic(quartic) => is_curved.then(|| quartic.gradient(point)),
+            Self::Csg(csg) => csg.gradient(point, part),
+        }
+    }
+
     /// The box around it.
     pub fn bounds(&self) -> Aabb {
         match self {
@@ -139,8 +151,14 @@ impl Body {
 
 #[cfg(test)]
 mod tests {
+    use glam::{DAffine3, DMat3};
+
     use super::*;
+    use crate::geometry::Shear;
+    use crate::geometry::Sheets;
+    use crate::geometry::shape::{Shape, Transformed};
     use crate::geometry::test_rays::{TestRays, many};
+    use crate::math::Transform;
 
     /// Rays at rims, apexes and the box itself, from near and from far: what the box turns away has no span.
     #[test]
@@ -173,5 +191,73 @@ mod tests {
             }
         }
         assert!(met > 1000, "{met}");
+    }
+
+    /// F of a body at a point in its own space.
+    fn value(body: &Body, p: DVec3) -> f64 {
+        match body {
+            Body::Quadric(quadric) => quadric.form().value(p),
+            Body::BoxedQuadric(quadric) => quadric.form().value(p),
+            Body::Quartic(quartic) => quartic.value(p),
+            Body::Torus(torus) => {
+                let off = libm::hypot(p.x, p.z) - torus.major;
+                off * off + p.y * p.y - torus.minor * torus.minor
+            }
+            Body::Csg(_) => unreachable!("it has no equation"),
+        }
+    }
+
+    /// Also where the body is turned, stretched and mirrored: central differences agree, and the normal is its direction.
+    #[test]
+    fn gradients_in_the_world_are_slopes_of_the_equation() {
+        let torus = Torus {
+            major: 1.0,
+            minor: 0.3,
+        };
+        let bodies = [
+            Body::Quadric(Quadric::cylinder(0.7, 0.4)),
+            Body::Quadric(Quadric::cone(0.8, 0.1, 0.5)),
+            Body::Quadric(Quadric::paraboloid(0.8, 0.5)),
+            Body::Quadric(Quadric::hyperboloid(0.3, 0.8, 0.5, Sheets::One)),
+            Body::Torus(torus),
+        ];
+        let turn = DMat3::from_rotation_y(0.7) * DMat3::from_rotation_x(-1.1);
+        let matrix = turn * DMat3::from_diagonal(DVec3::new(2.0, -0.5, 1.5));
+        let to_world = DAffine3::from_mat3_translation(matrix, DVec3::new(3.0, -1.0, 2.0));
+        let transform = Transform::new(to_world).expect("it can be undone");
+        let mut random = TestRays(11);
+        let mut met = 0;
+        for body in &bodies {
+            let shape = Shape::Transformed(Box::new(Transformed {
+                shape: Shape::Body(Box::new(body.clone())),
+                transform,
+            }));
+            let f = |p: DVec3| value(body, transform.point_to_object(p));
+            for _ in 0..many(2000u32) {
+                let target = transform.point(random.in_cube());
+                let direction = random.direction();
+                let ray = Ray::new(target - 8.0 * direction, direction);
+                let found = shape.intersect(&ray, &Shear::new(&ray), Interval::LINE);
+                let Intersection::Hit { t, part, .. } = found else {
+                    continue;
+                };
+                let surface = shape.surface(&ray, t, [0.0; 3], part);
+                let Some(gradient) = shape.gradient(surface.point, part) else {
+                    assert!(part > 0, "{body:?}");
+                    continue;
+                };
+                met += 1;
+                let slope = |axis: DVec3| {
+                    let h = 1e-6 * axis;
+                    (f(surface.point + h) - f(surface.point - h)) / 2e-6
+                };
+                let slopes = DVec3::new(slope(DVec3::X), slope(DVec3::Y), slope(DVec3::Z));
+                let off = (slopes - gradient).length() / gradient.length();
+                assert!(off < 1e-6, "{body:?} {ray:?}: {off}");
+                let normal = gradient.normalize();
+                assert!((normal - surface.normal).length() < 1e-9, "{body:?}");
+            }
+        }
+        assert!(met > 2500, "{met}");
     }
 }

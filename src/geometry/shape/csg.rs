@@ -25,7 +25,7 @@ pub use tree::CsgTree;
 pub use written::CsgNode;
 
 use crate::geometry::{Aabb, Cut, Intersection, Span, Spans, SurfacePoint};
-use crate::math::{Interval, Ray};
+use crate::math::{DVec3, Interval, Ray};
 use program::CsgProgram;
 use tree::{Compiled, PlacedLeaf};
 use walk::{CutGroup, CutList, LeafCut, Walk};
@@ -207,6 +207,20 @@ impl Csg {
             surface.normal = -surface.normal;
         }
         surface
+    }
+
+    /// The gradient of the equation of the part at a point, turned where the part is subtracted.
+    pub fn gradient(&self, point: DVec3, part: u32) -> Option<DVec3> {
+        let placed = self.leaves.get(Self::leaf_of(part) as usize)?;
+        let Solid::Shape(shape) = &placed.solid else {
+            return None;
+        };
+        let gradient = shape.gradient(point, Self::part_of_leaf(part))?;
+        Some(if placed.is_subtracted {
+            -gradient
+        } else {
+            gradient
+        })
     }
 
     /// Widens the error of a point so that a ray that leaves it is clear of all surfaces of the group `cuts`.

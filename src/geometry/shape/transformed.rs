@@ -52,6 +52,13 @@ impl Transformed {
         }
     }
 
+    /// See [`Shape::gradient`].
+    pub fn gradient(&self, point: DVec3, part: u32) -> Option<DVec3> {
+        let local = self.transform.point_to_object(point);
+        let gradient = self.shape.gradient(local, part)?;
+        Some(self.transform.gradient(gradient))
+    }
+
     /// The box around the shape; `None` if it is endless.
     pub fn bounds(&self) -> Option<Aabb> {
         let bounds = self.shape.bounds()?;

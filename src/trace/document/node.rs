@@ -132,6 +132,9 @@ pub struct HitPoint {
     pub barycentric: Option<[f64; 3]>,
     /// Texture coordinates.
     pub uv: [f64; 2],
+    /// The gradient of the equation of a curved surface (quadrics, torus, quartics), outwards; its direction is that of the normal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gradient: Option<Vector>,
     /// Unit, facing the ray, like `normal`.
     pub geometric_normal: Vector,
     /// The normal that shading used.

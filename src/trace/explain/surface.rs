@@ -37,6 +37,7 @@ pub fn hit(view: View, node: u32) -> Explanation {
         primitive,
         part,
         barycentric,
+        gradient,
         material,
     } = surface;
     let shape = &view.world.scene.shapes[hit.primitive as usize];
@@ -65,6 +66,11 @@ pub fn hit(view: View, node: u32) -> Explanation {
         .row_if("part", part)
         .row("material", material.name.clone())
         .row("N", vec3(at.normal));
+    if let Some(gradient) = gradient {
+        let length = num(gradient.length());
+        let told = format!("{}, of length {length}", vec3(gradient));
+        explanation = explanation.row("gradient of F", told);
+    }
     if at.normal != at.geometric_normal {
         explanation = explanation.row("N of the shape", vec3(at.geometric_normal));
     }

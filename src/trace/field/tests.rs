@@ -115,3 +115,45 @@ fn what_is_no_field_is_told_with_what_there_is() {
         assert!(error.contains(said), "{text}: {error}");
     }
 }
+
+/// On curved walls with an equation; on flat faces there is none.
+#[test]
+fn a_gradient_is_along_the_normal_and_points_outwards() {
+    for (name, least) in [("quadrics", 60), ("torus", 60), ("csg", 20)] {
+        let scene = crate::scene::load(name).expect(name);
+        let settings = scene
+            .settings
+            .with(|s| (s.image.width, s.image.height) = (48, 36));
+        let world = World::new(scene, AccelKind::default());
+        let (mut curved, mut flat) = (0, 0);
+        for at in (0..48 * 36).map(|i| (i % 48, i / 48)) {
+            let trace = traced(&world, &settings, at);
+            let view = View {
+                world: &world,
+                settings: &settings,
+                trace: &trace,
+            };
+            let of = |name: &str| field(view, &TreePath::default(), name);
+            let Ok(side) = of("side") else {
+                continue;
+            };
+            let Ok(FieldValue::Numbers(gradient)) = of("gradient") else {
+                flat += 1;
+                continue;
+            };
+            curved += 1;
+            let normal = of("geometric_normal").expect("a normal");
+            let to_viewer = if side == FieldValue::Word("front".to_owned()) {
+                1.0
+            } else {
+                -1.0
+            };
+            let length = gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
+            for (g, n) in gradient.iter().zip(normal.numbers()) {
+                let off = g / length - to_viewer * n;
+                assert!(off.abs() < 1e-9, "{name} {at:?}: {gradient:?} {normal:?}");
+            }
+        }
+        assert!(curved >= least && flat > 0, "{name}: {curved} {flat}");
+    }
+}

@@ -1,7 +1,9 @@
 //! Other arithmetic agrees with ours where nothing is hard, and never brings a NaN.
 
 use super::*;
-use crate::geometry::{Cuboid, Disc, Plane, QuarticMethod, Sphere, Transformed, Triangle};
+use crate::geometry::{
+    Cuboid, Disc, PatchMethod, Plane, QuarticMethod, Sphere, Transformed, Triangle,
+};
 use crate::math::Transform;
 
 const CHOICES: usize = 3 * 2 * 2;
@@ -14,6 +16,7 @@ fn arithmetic(i: usize) -> Arithmetic {
         quartic: QuarticMethod::ALL[i % 3],
         precision: Precision::ALL[i / 6],
         offset: Offset::Bounded,
+        patch: PatchMethod::Exact,
     }
 }
 
