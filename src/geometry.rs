@@ -24,7 +24,9 @@ pub mod torus;
 pub mod triangle;
 
 pub use aabb::Aabb;
-pub use arithmetic::{Arithmetic, Offset, Precision, Quadratic, QuarticMethod, TriangleTest};
+pub use arithmetic::{
+    Arithmetic, Offset, PatchMethod, Precision, Quadratic, QuarticMethod, TriangleTest,
+};
 pub use cuboid::Cuboid;
 pub use disc::Disc;
 pub use intersection::{Hit, Intersection, SurfacePoint};

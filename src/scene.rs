@@ -23,6 +23,7 @@ pub mod printable;
 pub mod read;
 pub mod settings;
 mod source;
+mod tessellated;
 mod trace_command;
 pub mod warning;
 pub mod write;
@@ -52,11 +53,12 @@ pub use source::{Edit, SceneSource};
 pub use trace_command::{changes, trace_command, view_command};
 pub use warning::{Warning, WarningCode};
 
-use crate::geometry::{Arithmetic, Body, Csg, Hit, Shape};
+use crate::geometry::{Arithmetic, Body, Csg, Hit, PatchMethod, Shape};
 use crate::math::{Ray, Rgb};
 use crate::probe::NONE;
 use crate::shading::{Interaction, Light, Material};
 use printable::printable;
+use tessellated::tessellated;
 
 /// The index of refraction of the medium around everything.
 pub const AIR_IOR: f64 = 1.0;
@@ -220,9 +222,16 @@ impl Scene {
         self
     }
 
-    /// The scene with shapes that are tested with this arithmetic.
+    /// The scene with shapes that are tested with this arithmetic. (Patches that became triangles stay triangles.)
     #[must_use]
     pub fn computed_with(mut self, arithmetic: Arithmetic) -> Self {
+        if let PatchMethod::Triangles(squares) = arithmetic.patch {
+            self = tessellated(self, squares);
+        }
+        let arithmetic = Arithmetic {
+            patch: PatchMethod::Exact,
+            ..arithmetic
+        };
         for shape in &mut self.shapes {
             *shape = shape.computed_with(arithmetic);
         }

@@ -6,18 +6,23 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use super::address::{self, addressed};
-use super::output::{self, Target};
+use super::output::{self, Destination, Target};
 use super::settings::{SceneArgs, check};
 use super::{Completion, Failure};
 use crate::accel::clearest;
 use crate::debug::drawing;
 use crate::scene::printable::excerpt;
-use crate::scene::{FileId, Scene};
+use crate::scene::{FileId, Scene, Settings};
 use crate::trace::address::{AddressPart, subtree};
+use crate::trace::document::foresee;
 use crate::trace::export::{Dot, Html, RayLines, Svg, Text, json};
 use crate::trace::facts::TreePath;
 use crate::trace::field::field;
 use crate::trace::{Address, Document, PixelTrace, View, document, trace_pixel};
+use crate::world::World;
+
+/// Rays from which on it is told how large a tree is before it is written.
+const LARGE: u64 = 100_000;
 
 #[derive(Args)]
 pub struct Trace {
@@ -32,6 +37,9 @@ pub struct Trace {
     /// How to write the tree
     #[arg(long, value_enum, default_value_t = Format::Json)]
     format: Format,
+    /// Write JSON in one line without blanks
+    #[arg(long)]
+    compact: bool,
     /// Add every node visited and every shape tested (not to dot, svg and obj)
     #[arg(long)]
     traversal: bool,
@@ -92,6 +100,10 @@ impl Trace {
         let (pixel, path) = self.ray(at)?;
         let scene = args.read()?;
         self.check_format(&scene)?;
+        if self.compact && !matches!(self.format, Format::Json) {
+            let what = "--compact is for the format json; leave it out, or --format";
+            return Err(Failure::Usage(what.to_owned()));
+        }
         let target = Target {
             flag: "--output",
             path: self.output.as_deref(),
@@ -104,6 +116,10 @@ impl Trace {
         let unheard = self.format.without_traversal().filter(|_| self.traversal);
         if let Some(text) = unheard {
             args.notices.warn(text);
+        }
+        let unheard = usize::from(unheard.is_some());
+        if let (Format::Json, None, None) = (self.format, &part, &path) {
+            return self.stream(&args, (world, settings, pixel), file);
         }
         let is_field = matches!(part, Some(AddressPart::Field(_)));
         let trace = trace_pixel(&world, &settings, pixel, self.traversal || is_field);
@@ -134,24 +150,44 @@ impl Trace {
             document.settings.bent = None;
         }
         let produce = |out: &mut dyn Write| self.write(out, &world.scene, &document);
-        match file {
-            Some(file) => file.write(produce)?,
-            None => output::to_stdout_by(produce)?,
-        }
-        if trace.tree.dropped > 0 {
-            let dropped = trace.tree.dropped;
-            args.notices.warn(format!(
-                "the log is full; events that were not kept: {dropped} (try a smaller --depth)"
+        to(file, produce)?;
+        let warnings = world.scene.warnings.len() + unheard;
+        completion(&args, (trace.tree.dropped, trace.pixel.truncated), warnings)
+    }
+
+    /// Writes the whole document as JSON while the pixel is traced: it may be large.
+    fn stream(
+        &self,
+        args: &SceneArgs,
+        (mut world, settings, pixel): (World, Settings, (u32, u32)),
+        file: Option<Destination>,
+    ) -> Result<Completion, Failure> {
+        let foreseen = foresee(&world, &settings, pixel, self.traversal);
+        let pixel = &foreseen.trace.pixel;
+        let cut = pixel.cut_warning(&settings, args.label());
+        args.notices.tell(cut.as_slice());
+        world.scene.warnings.extend(cut);
+        if foreseen.nodes >= LARGE {
+            let each = if self.compact { 900 } else { 1500 };
+            args.notices.note(format!(
+                "the tree has {} rays: about {} MB of JSON",
+                foreseen.nodes,
+                foreseen.nodes * each / 1_000_000
             ));
-            return Ok(Completion::Cut);
         }
-        if trace.pixel.truncated {
-            args.notices.warn(super::render::CUT);
-            return Ok(Completion::Cut);
+        let mut document = document::stream(&world, &settings, &foreseen);
+        if self.anonymous {
+            document.settings.bent = None;
         }
-        let warnings = world.scene.warnings.len() + usize::from(unheard.is_some());
-        args.notices.deny(args.label(), warnings)?;
-        Ok(Completion::Whole)
+        to(file, |out: &mut dyn Write| {
+            if self.compact {
+                json::write_compact(out, &document)
+            } else {
+                json::write(out, &document)
+            }
+        })?;
+        let warnings = world.scene.warnings.len();
+        completion(args, (foreseen.dropped, pixel.truncated), warnings)
     }
 
     /// Prints one field of a ray.
@@ -215,6 +251,7 @@ impl Trace {
         document: &Document,
     ) -> std::io::Result<()> {
         match self.format {
+            Format::Json if self.compact => json::write_compact(out, document),
             Format::Json => json::write(out, document),
             Format::Text => write!(out, "{}", Text(document)),
             Format::Html => {
@@ -226,6 +263,37 @@ impl Trace {
             Format::Obj => write!(out, "{}", RayLines(document)),
         }
     }
+}
+
+/// Writes to a file, or to standard output if there is none.
+fn to(
+    file: Option<Destination>,
+    produce: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    match file {
+        Some(file) => file.write(produce),
+        None => output::to_stdout_by(produce),
+    }
+}
+
+/// How it ended, given the events that were not kept, and whether rays were not sent for want of budget.
+fn completion(
+    args: &SceneArgs,
+    (dropped, truncated): (u64, bool),
+    warnings: usize,
+) -> Result<Completion, Failure> {
+    if dropped > 0 {
+        args.notices.warn(format!(
+            "the log is full; events that were not kept: {dropped} (try a smaller --depth)"
+        ));
+        return Ok(Completion::Cut);
+    }
+    if truncated {
+        args.notices.warn(super::render::CUT);
+        return Ok(Completion::Cut);
+    }
+    args.notices.deny(args.label(), warnings)?;
+    Ok(Completion::Whole)
 }
 
 /// An error if a pixel's log has no such event.

@@ -4,11 +4,13 @@
 //! and never without a note that says so.
 
 pub mod flat;
+pub mod patch;
 pub mod quartic;
 pub mod real;
 pub mod sphere;
 pub mod triangle;
 
+pub use patch::PatchMethod;
 pub use quartic::QuarticMethod;
 
 use std::fmt;
@@ -72,6 +74,8 @@ pub struct Arithmetic {
     pub quadratic: Quadratic,
     /// How tori and other surfaces of the fourth degree are tested.
     pub quartic: QuarticMethod,
+    /// How parametric patches are tested.
+    pub patch: PatchMethod,
     /// In which precision.
     pub precision: Precision,
 }
@@ -83,6 +87,7 @@ impl Arithmetic {
         offset: Offset::Bounded,
         quadratic: Quadratic::Stable,
         quartic: QuarticMethod::Polished,
+        patch: PatchMethod::Exact,
         precision: Precision::Double,
     };
 }
@@ -191,6 +196,10 @@ impl Arithmetic {
             let note = "a torus far away, or seen at its edge, is hit in the wrong places";
             add("quartic", self.quartic.name().to_owned(), note);
         }
+        if self.patch != ours.patch {
+            let note = "patches are flat between the corners of a grid: outlines have corners, and rays slip through where leaves meet";
+            add("patch-test", self.patch.to_string(), note);
+        }
         if self.precision != ours.precision {
             let note = "shapes are tested with 7 digits instead of 16";
             add("precision", self.precision.name().to_owned(), note);
@@ -230,11 +239,19 @@ mod tests {
             offset: Offset::None,
             quadratic: Quadratic::Naive,
             quartic: QuarticMethod::Plain,
+            patch: PatchMethod::Triangles(4),
             precision: Precision::Single,
         };
         let told = naive.deviations();
         let choices: Vec<_> = told.iter().map(|d| d.choice).collect();
-        let all = ["triangle", "offset", "quadratic", "quartic", "precision"];
+        let all = [
+            "triangle",
+            "offset",
+            "quadratic",
+            "quartic",
+            "patch-test",
+            "precision",
+        ];
         assert_eq!(choices, all);
     }
 }

@@ -4,7 +4,7 @@
 //! others are not. So all steps of these test shape after shape, ours as well, and differ in the arithmetic alone.
 
 use super::parameter::{Parameter, swept};
-use crate::geometry::{Arithmetic, Body, Naive, Shape};
+use crate::geometry::{Arithmetic, Body, Naive, PatchMethod, Shape};
 use crate::scene::settings::knobs::knob;
 use crate::scene::{Scene, Settings};
 
@@ -25,7 +25,18 @@ pub fn parameters(shapes: &[Shape], base: &Settings, leaves: bool) -> Vec<Parame
         ("precision", true),
     ];
     let used = choices.into_iter().filter(|(_, used)| *used);
-    used.map(|(flag, _)| parameter(flag, base)).collect()
+    let mut parameters: Vec<_> = used.map(|(flag, _)| parameter(flag, base)).collect();
+    if any(|shape| matches!(shape, Shape::Patch(_))) {
+        parameters.push(patches(base));
+    }
+    parameters
+}
+
+/// Patches as they are and as ever more triangles, which are tested as any others, many at a time.
+fn patches(base: &Settings) -> Parameter {
+    let mut parameter = swept("patch test", "patch-test", base);
+    parameter.reference = Some(base.with(|s| s.arithmetic.patch = PatchMethod::Exact));
+    parameter
 }
 
 fn is_of_second_degree(shape: &Shape) -> bool {

@@ -8,6 +8,7 @@ mod node;
 mod path;
 mod settings;
 mod step;
+mod stream;
 mod term;
 mod warning;
 
@@ -22,6 +23,7 @@ pub use node::{
 pub use path::RayInTree;
 pub use settings::{AdaptiveSettings, ArithmeticSettings, DocumentSettings};
 pub use step::{TestedPrimitive, TraversalStep, VisitedChildren};
+pub use stream::{Foreseen, SampleStream, foresee, stream};
 pub use term::{TermFactors, TermValue};
 pub use warning::{DocumentWarning, list};
 
@@ -38,7 +40,7 @@ pub enum FormatVersion {
 /// A traced pixel with its ray trees.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(title = "raytree/1")]
-pub struct Document {
+pub struct Document<S = Vec<SampleTree>> {
     /// Always `raytree/1`.
     pub format: FormatVersion,
     /// The scene.
@@ -69,7 +71,7 @@ pub struct Document {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub truncated: Option<u64>,
     /// The samples of the pixel, in order.
-    pub samples: Vec<SampleTree>,
+    pub samples: S,
 }
 
 /// Rays that the limits of recursion left out.

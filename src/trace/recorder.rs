@@ -25,6 +25,11 @@ impl<const TRAVERSAL: bool> Recorder<TRAVERSAL> {
                 .min(MAX_EVENT_BYTES / size_of::<Event>()),
         }
     }
+
+    /// How many events it keeps.
+    pub fn limit(&self) -> usize {
+        self.limit
+    }
 }
 
 impl<const TRAVERSAL: bool> Default for Recorder<TRAVERSAL> {

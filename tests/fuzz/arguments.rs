@@ -22,7 +22,7 @@ const FLAGS: [&str; 15] = [
     "--pixel",
 ];
 
-const VALUES: [&str; 40] = [
+const VALUES: [&str; 41] = [
     "",
     " ",
     "0",
@@ -62,6 +62,7 @@ const VALUES: [&str; 40] = [
     "9,9",
     "fixed:1e-4",
     "fixed:nan",
+    "triangles:3",
     "\u{1b}[2J",
 ];
 

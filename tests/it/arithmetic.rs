@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use raytree::accel::AccelKind;
-use raytree::geometry::{Arithmetic, Offset, Precision, Quadratic, QuarticMethod, TriangleTest};
+use raytree::geometry::{Arithmetic, Offset, Precision, Quadratic, TriangleTest};
 use raytree::probe::Event;
 use raytree::scene::{self, Settings};
 use raytree::trace::{View, trace_pixel};
@@ -11,11 +11,8 @@ use raytree::tracer::{Film, draw};
 use raytree::world::World;
 
 const NONE: Arithmetic = Arithmetic {
-    triangle: TriangleTest::Watertight,
     offset: Offset::None,
-    quadratic: Quadratic::Stable,
-    quartic: QuarticMethod::Polished,
-    precision: Precision::Double,
+    ..Arithmetic::OURS
 };
 
 fn variants() -> Vec<Arithmetic> {
@@ -28,8 +25,8 @@ fn variants() -> Vec<Arithmetic> {
                         triangle,
                         offset,
                         quadratic,
-                        quartic: QuarticMethod::Polished,
                         precision,
+                        ..Arithmetic::OURS
                     });
                 }
             }
@@ -193,6 +190,7 @@ fn another_arithmetic_is_told_on_standard_error_and_in_the_tree() {
 #[test]
 fn a_wrong_choice_is_told_with_the_right_ones() {
     for (flag, wrong, hint) in [
+        ("--patch-test", "triangles:0", "from 1 to 64"),
         ("--offset", "1e-4", "fixed:EPS"),
         ("--offset", "fixed:-1", "above 0"),
         ("--triangle", "woop", "plane-edges"),

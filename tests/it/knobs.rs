@@ -36,6 +36,7 @@ fn another(knob: &Knob) -> Value {
         Kind::Count { .. } | Kind::Whole(_) => "7",
         Kind::Real { .. } => "0.25",
         Kind::Text(_) if knob.flag == "bend" => "shadow-none",
+        Kind::Text(_) if knob.flag == "patch-test" => "triangles:2",
         Kind::Text(_) => "none",
         Kind::Choices(words) => return Value::List(vec![words()[0].name.to_owned()]),
         Kind::Choice(words) => {

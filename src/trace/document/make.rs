@@ -14,6 +14,11 @@ use crate::trace::{LightEstimate, Outcome, SurfaceHit, View};
 
 /// The document of a recorded pixel.
 pub fn of(view: View) -> Document {
+    with_samples(view, view.trace.tree.dropped, samples(view))
+}
+
+/// The document of a pixel whose samples are these; so many events are missing in them.
+pub fn with_samples<S>(view: View, dropped: u64, samples: S) -> Document<S> {
     let (scene, trace) = (&view.world.scene, view.trace);
     let linear = trace.pixel.color;
     Document {
@@ -48,14 +53,14 @@ pub fn of(view: View) -> Document {
         }),
         standard_error: finite(trace.pixel.error),
         spoiled: trace.pixel.non_finite,
-        truncated: (trace.tree.dropped > 0).then_some(trace.tree.dropped),
-        samples: samples(view),
+        truncated: (dropped > 0).then_some(dropped),
+        samples,
     }
 }
 
 /// The samples with their trees. Nodes stand parents first, so from the back each finds its children done; without
 /// recursion, since trees may be deep.
-fn samples(view: View) -> Vec<SampleTree> {
+pub fn samples(view: View) -> Vec<SampleTree> {
     let tree = &view.trace.tree;
     let mut done: Vec<RayNode> = Vec::new();
     for id in (0..tree.nodes.len() as u32).rev() {
@@ -206,6 +211,7 @@ fn hit_point(view: View, surface: &SurfaceHit) -> HitPoint {
         primitive: surface.primitive,
         part: surface.part.map(str::to_owned),
         barycentric: surface.barycentric,
+        gradient: surface.gradient.map(|g| g.to_array()),
         uv: at.uv.to_array(),
         geometric_normal: at.geometric_normal.to_array(),
         normal: at.normal.to_array(),

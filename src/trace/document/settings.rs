@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::geometry::{Arithmetic, QuarticMethod};
+use crate::geometry::{Arithmetic, PatchMethod, QuarticMethod};
 use crate::sampling::{Filter, LightSampling, Sampler};
 use crate::scene::{Pilot, Sampling, Scene, Settings};
 use crate::shading::Fresnel;
@@ -81,6 +81,9 @@ pub struct ArithmeticSettings {
     /// "plain", "moved" or "polished".
     #[serde(default = "ArithmeticSettings::polished")]
     pub quartic: String,
+    /// "exact" or "triangles:N".
+    #[serde(default = "ArithmeticSettings::exact")]
+    pub patch_test: String,
     /// "single" or "double".
     pub precision: String,
 }
@@ -89,6 +92,11 @@ impl ArithmeticSettings {
     /// What trees from before there were tori mean.
     fn polished() -> String {
         QuarticMethod::default().name().to_owned()
+    }
+
+    /// What trees from before there was a choice mean.
+    fn exact() -> String {
+        PatchMethod::default().to_string()
     }
 }
 
@@ -125,6 +133,7 @@ pub fn settings(settings: &Settings, scene: &Scene) -> DocumentSettings {
             offset: arithmetic.offset.to_string(),
             quadratic: arithmetic.quadratic.name().to_owned(),
             quartic: arithmetic.quartic.name().to_owned(),
+            patch_test: arithmetic.patch.to_string(),
             precision: arithmetic.precision.name().to_owned(),
         }),
         bent: (!settings.bends.is_empty()).then(|| settings.bends.to_string()),

@@ -15,6 +15,40 @@ pub fn write(mut out: impl Write, value: &impl Serialize) -> io::Result<()> {
     writeln!(out)
 }
 
+/// Writes a value in one line without blanks, and a new line behind it.
+pub fn write_compact(mut out: impl Write, value: &impl Serialize) -> io::Result<()> {
+    value.serialize(&mut Serializer::with_formatter(&mut out, Dense))?;
+    writeln!(out)
+}
+
+/// No line is broken.
+struct Dense;
+
+impl Formatter for Dense {
+    fn write_string_fragment<W: ?Sized + Write>(
+        &mut self,
+        out: &mut W,
+        fragment: &str,
+    ) -> io::Result<()> {
+        write_visible(out, fragment)
+    }
+}
+
+/// Text of a string. What cannot be seen as `\u....`: the same to every reader of JSON, and harmless on a terminal.
+fn write_visible<W: ?Sized + Write>(out: &mut W, fragment: &str) -> io::Result<()> {
+    let mut rest = fragment;
+    while let Some(at) = rest.find(|c| !is_printable(c)) {
+        let (before, from) = rest.split_at(at);
+        out.write_all(before.as_bytes())?;
+        let mut after = from.chars();
+        for unit in after.next().unwrap_or_default().encode_utf16(&mut [0; 2]) {
+            write!(out, "\\u{unit:04x}")?;
+        }
+        rest = after.as_str();
+    }
+    out.write_all(rest.as_bytes())
+}
+
 /// Where lines are broken: before every key, and before every item of an array that is neither number nor null.
 #[derive(Default)]
 struct Layout {
@@ -91,23 +125,12 @@ impl Formatter for Layout {
         out.write_all(b"\"")
     }
 
-    /// What cannot be seen as `\u....`: the same to every reader of JSON, and harmless on a terminal.
     fn write_string_fragment<W: ?Sized + Write>(
         &mut self,
         out: &mut W,
         fragment: &str,
     ) -> io::Result<()> {
-        let mut rest = fragment;
-        while let Some(at) = rest.find(|c| !is_printable(c)) {
-            let (before, from) = rest.split_at(at);
-            out.write_all(before.as_bytes())?;
-            let mut after = from.chars();
-            for unit in after.next().unwrap_or_default().encode_utf16(&mut [0; 2]) {
-                write!(out, "\\u{unit:04x}")?;
-            }
-            rest = after.as_str();
-        }
-        out.write_all(rest.as_bytes())
+        write_visible(out, fragment)
     }
 
     fn begin_array<W: ?Sized + Write>(&mut self, out: &mut W) -> io::Result<()> {

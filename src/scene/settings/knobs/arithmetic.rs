@@ -1,7 +1,7 @@
 //! Knobs of arithmetic other than our own.
 
 use super::{ROW, words};
-use crate::geometry::{Offset, Precision, Quadratic, QuarticMethod, TriangleTest};
+use crate::geometry::{Offset, PatchMethod, Precision, Quadratic, QuarticMethod, TriangleTest};
 use crate::scene::Bends;
 use crate::scene::settings::knob::{Field, Kind, Knob, Value};
 
@@ -56,6 +56,29 @@ pub const ROWS: &[Knob] = &[
         kind: Kind::Choice(|| words(&names!(QuarticMethod))),
         field: choice!(names!(QuarticMethod), arithmetic.quartic),
         json: "arithmetic.quartic",
+        ..ARITHMETIC_ROW
+    },
+    Knob {
+        flag: "patch-test",
+        value_name: "METHOD",
+        doc: "How parametric patches are tested: exact, or triangles:N (N x N squares of two for each leaf)",
+        kind: Kind::Text(|text| text.parse::<PatchMethod>().map(|_| ())),
+        field: Field {
+            get: |s| Some(Value::Text(s.arithmetic.patch.to_string())),
+            set: |s, value| {
+                if let Ok(method) = value.to_string().parse() {
+                    s.arithmetic.patch = method;
+                }
+            },
+        },
+        json: "arithmetic.patch_test",
+        steps: &[
+            "triangles:1",
+            "triangles:4",
+            "triangles:16",
+            "triangles:64",
+            "exact",
+        ],
         ..ARITHMETIC_ROW
     },
     Knob {
