@@ -77,7 +77,8 @@ fn chapter_text(
             }
             PagePart::Picture(asked) => {
                 let name = format!("pictures/{}-{}.png", chapter.folder, pictures.len() + 1);
-                let _ = write!(out, "![{}]({name})\n\n", asked.caption());
+                let caption = asked.caption();
+                let _ = write!(out, "![{caption}]({name})  \n*{caption}*\n\n");
                 pictures.push((name, asked));
             }
             PagePart::Exercise(id) => {

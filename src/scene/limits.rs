@@ -136,7 +136,7 @@ pub fn table() -> Vec<[String; 3]> {
             "the media beyond are not looked for",
         ),
         (
-            "events of a recorded pixel",
+            "events of a recorded pixel; of each of its samples where it is written as JSON",
             format!("{MAX_EVENTS}, or {}", mebibytes(MAX_EVENT_BYTES as u64)),
             "the tree is told as cut, and the exit status is 3",
         ),

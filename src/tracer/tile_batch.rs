@@ -5,7 +5,7 @@
 //! prefetched instead of asking the accelerator, and the answer is the same to the last bit.
 
 use super::light_sampler::{self, AreaSampler, PointSampler};
-use super::pixel::{CameraSample, camera_sample};
+use super::pixel::{CameraSample, camera_samples};
 use super::shadow_batch::{Prefetched, ShadowBatch};
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
@@ -56,7 +56,7 @@ impl TileBatch {
         let (scene, camera) = (&world.scene, &world.scene.camera);
         self.samples.clear();
         self.samples
-            .extend(pixels.map(|pixel| camera_sample(settings, pixel, sample)));
+            .extend(camera_samples(settings, pixels, sample));
         if self.samples.is_empty() {
             return false;
         }

@@ -22,30 +22,68 @@ pub struct CameraSample {
 
 /// Sample number `index` of a pixel.
 pub fn camera_sample(settings: &Settings, pixel: (u32, u32), index: u32) -> CameraSample {
-    let pilot = settings.pixel.pilot();
-    let (dimension, index, path) = if index < pilot {
-        (Dimension::Pilot, index, PILOT_PATH)
-    } else {
-        (Dimension::Film, index - pilot, 0)
-    };
-    let [u, v] = point(settings, pixel, dimension, index);
-    let (filter, radius) = (settings.pixel.filter, settings.pixel.filter_radius);
-    let (x, y) = (filter.sample(u), filter.sample(v));
-    let sign = if filter.has_negative_lobes() {
-        filter.value(x).signum() * filter.value(y).signum()
-    } else {
-        1.0
-    };
-    CameraSample {
-        film: [
-            f64::from(pixel.0) + 0.5 + radius * x,
-            f64::from(pixel.1) + 0.5 + radius * y,
-        ],
-        sign,
-        path: PathId {
+    PlaceInPixel::new(settings, pixel, index).of(pixel)
+}
+
+/// Sample number `index` of each of some pixels. A grid is the same in all of them: its place is computed once.
+pub fn camera_samples(
+    settings: &Settings,
+    pixels: impl Iterator<Item = (u32, u32)>,
+    index: u32,
+) -> impl Iterator<Item = CameraSample> {
+    let is_grid = settings.pixel.sampler == Sampler::Grid;
+    let shared = is_grid.then(|| PlaceInPixel::new(settings, (0, 0), index));
+    pixels.map(move |pixel| {
+        let place = shared.unwrap_or_else(|| PlaceInPixel::new(settings, pixel, index));
+        place.of(pixel)
+    })
+}
+
+/// Place of a sample in its pixel.
+#[derive(Clone, Copy)]
+struct PlaceInPixel {
+    /// From the pixel's middle, in pixels.
+    offset: [f64; 2],
+    sign: f64,
+    path: u64,
+    index: u32,
+}
+
+impl PlaceInPixel {
+    fn new(settings: &Settings, pixel: (u32, u32), index: u32) -> Self {
+        let pilot = settings.pixel.pilot();
+        let (dimension, index, path) = if index < pilot {
+            (Dimension::Pilot, index, PILOT_PATH)
+        } else {
+            (Dimension::Film, index - pilot, 0)
+        };
+        let [u, v] = point(settings, pixel, dimension, index);
+        let (filter, radius) = (settings.pixel.filter, settings.pixel.filter_radius);
+        let (x, y) = (filter.sample(u), filter.sample(v));
+        let sign = if filter.has_negative_lobes() {
+            filter.value(x).signum() * filter.value(y).signum()
+        } else {
+            1.0
+        };
+        Self {
+            offset: [radius * x, radius * y],
+            sign,
             path,
-            ..PathId::eye(pixel, index)
-        },
+            index,
+        }
+    }
+
+    #[inline(always)]
+    fn of(self, pixel: (u32, u32)) -> CameraSample {
+        let [x, y] = self.offset;
+        CameraSample {
+            film: [f64::from(pixel.0) + 0.5 + x, f64::from(pixel.1) + 0.5 + y],
+            sign: self.sign,
+            path: PathId {
+                path: self.path,
+                ..PathId::eye(pixel, self.index)
+            },
+        }
     }
 }
 

@@ -9,7 +9,7 @@ use crate::debug::watch::Watch;
 use crate::tui::model::{LongRun, Model};
 
 /// How long a key waits for a run; it goes on afterwards.
-const AT_ONCE: Duration = Duration::from_millis(8);
+const AT_ONCE: Duration = Duration::from_millis(5);
 
 /// Break points at most.
 const MOST: usize = 100;

@@ -16,12 +16,17 @@ use crate::accel::fast::packet::{
 use crate::accel::fast::simd::{Isa, Level};
 use crate::accel::fast::triangle_filter::edge_error;
 
+/// Boxes of leaves that are met in vain until the rays are asked at nodes as well.
+const SPARSE: u32 = 4;
+
 /// Packet on its way through the tree.
 struct Packet<'a, 'b> {
     bvh8: &'a Bvh8,
     rays: &'a mut RayPacket,
     hits: &'a mut PacketHits<'b>,
     all: Bounds,
+    /// Boxes of leaves that no ray met, although the bounds of all rays did.
+    vain: u32,
     /// Children, the nearest on top: where the first ray enters at the earliest, and the index of the child in all nodes.
     stack: &'a mut [u64; MAX_STACK],
 }
@@ -63,6 +68,7 @@ impl PacketTree for Bvh8 {
             all: Bounds::new(rays),
             rays,
             hits,
+            vain: 0,
             stack: &mut stack.0,
         };
         packet.descend::<ANY, L>(level);
@@ -124,13 +130,19 @@ impl Packet<'_, '_> {
                 let index = self.stack[count] as u32 as usize;
                 let (node, slot) = (&bvh8.nodes[index / WIDTH], index % WIDTH);
                 let child = node.children[slot];
-                // Coherent rays seldom miss a box that their bounds meet; the next node's bounds tell.
-                if child & LEAF_BIT == 0 {
+                // Coherent rays seldom miss a box that their bounds meet; the next node's bounds tell. Where boxes are smaller than
+                // the gaps between the rays, all of them are asked.
+                let is_node = child & LEAF_BIT == 0;
+                if is_node && self.vain < SPARSE {
                     break child;
                 }
                 let met = self.cross(level, node, slot);
                 if met == 0 {
+                    self.vain += 1;
                     continue;
+                }
+                if is_node {
+                    break child;
                 }
                 let leaf = &bvh8.leaves[(child & !LEAF_BIT) as usize];
                 if self.test_leaf::<ANY, L>(level, leaf, met) {
