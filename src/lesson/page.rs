@@ -208,20 +208,25 @@ impl PagePicture {
             words.push(filling.to_string());
         }
         for (name, value) in &self.settings {
-            words.push(format!("{name} {value}"));
+            match name.as_str() {
+                "size" => {}
+                // Its name may be what an exercise asks.
+                "bend" => words.push("a broken tracer".to_owned()),
+                _ => words.push(format!("{name} {value}")),
+            }
         }
         for (x, y) in &self.marks {
             words.push(format!("pixel {x},{y} is marked"));
         }
-        let scene = self.scene.as_deref();
-        let of = scene.map_or("the scene".to_owned(), |name| {
+        let scene = self.scene.as_deref().map(|name| {
             let name = name.rsplit('/').next().unwrap_or(name);
             format!("scene {}", name.trim_end_matches(".json"))
         });
-        if words.is_empty() {
-            of
-        } else {
-            format!("{of}: {}", words.join(", "))
+        match (scene, words.join(", ")) {
+            (None, words) if words.is_empty() => "the scene".to_owned(),
+            (None, words) => words,
+            (Some(scene), words) if words.is_empty() => scene,
+            (Some(scene), words) => format!("{scene}: {words}"),
         }
     }
 }

@@ -14,6 +14,7 @@ use super::plain::lines;
 use super::progress::CourseProgress;
 use super::question::Question;
 use super::value::LessonValue;
+use super::workspace::work_path;
 use crate::scene::printable::printable;
 use crate::trace::format::num;
 
@@ -164,10 +165,13 @@ pub fn asked(
         } => {
             out += &choices(says, bend.is_some(), options, width);
         }
-        ExerciseKind::Write { task } => {
+        ExerciseKind::Write { .. } => {
+            let folder = work_path(chapter, &exercise.id, &exercise.kind).unwrap_or_default();
             let _ = writeln!(
                 out,
-                "Write a program for the task {task}. `raytree lesson start DIR` puts its files there."
+                "Write a program. `raytree lesson start DIR` makes a folder for it, DIR/{folder}. The task.toml there says which \
+                 pixels and values are asked; the scene stands beside it. Put what your program prints into the folder, as a file \
+                 that ends in .json; DIR/hello/README.md shows its form."
             );
         }
     }

@@ -5,6 +5,7 @@
 
 mod answering;
 mod attempt;
+mod help;
 mod keys;
 mod layout;
 mod main_loop;

@@ -1,6 +1,7 @@
 //! State of the debugger, the messages that change it, and the table of keys. Nothing here draws or does input or output.
 
 pub mod action;
+mod address;
 pub mod ask;
 pub mod ask_lines;
 pub mod bindings;

@@ -11,7 +11,7 @@ use crate::lesson::stage::Stage;
 use crate::scene::Bend;
 use crate::scene::printable::excerpt;
 use crate::trace::Address;
-use crate::trace::facts::TreePath;
+use crate::trace::facts::{Step, TreePath};
 
 /// Judges a mistake by name and the ray where it first shows.
 pub fn judge(
@@ -25,7 +25,10 @@ pub fn judge(
         .parse()
         .map_err(|_| format!("`{}` is no mistake that is offered", excerpt(law)))?;
     let (first, what) = first_wrong(stage, bend, at)?;
-    let (is_law, is_ray) = (named == bend, *path == first);
+    let (is_law, is_ray) = (
+        named == bend,
+        *path == first || is_sample_of(path, &first, bend),
+    );
     if !(is_law && is_ray) {
         return Ok(match (is_law, is_ray) {
             (true, false) => AnswerVerdict::wrong(
@@ -57,6 +60,13 @@ pub fn judge(
         .text(stage, &[("bend".to_owned(), bend.name().to_owned())])?;
     verdict.lines.extend(told.lines().map(str::to_owned));
     Ok(verdict)
+}
+
+/// True if a ray goes to one of the wrong points of a light. Where points are thrown anew no single one of them can be told to be
+/// wrong, so what shows it first is the sum at their hit; whoever looks at one of them has found it, too.
+fn is_sample_of(path: &TreePath, first: &TreePath, bend: Bend) -> bool {
+    let is_sample = matches!(path.steps.last(), Some(Step::Light(..)));
+    bend == Bend::SamePoints && is_sample && path.steps.starts_with(&first.steps)
 }
 
 /// The ray, and its quantity, that is the first to be wrong with a bend.

@@ -10,8 +10,13 @@ use crate::lesson::names::scene_path;
 use crate::scene::Bends;
 
 /// Judges what was handed in.
-pub fn judge(course: &Course, task: &str, submission: Submission) -> Result<AnswerVerdict, String> {
+pub fn judge(
+    course: &Course,
+    task: &str,
+    mut submission: Submission,
+) -> Result<AnswerVerdict, String> {
     let task = load(course, task)?;
+    submission.files.retain(|file| !is_given(&task, &file.name));
     let marked = Marked::new(std::slice::from_ref(&task), submission);
     let audience = Audience {
         task: &task,
@@ -22,6 +27,17 @@ pub fn judge(course: &Course, task: &str, submission: Submission) -> Result<Answ
         right: marked.percent() >= 100,
         lines: told.lines().map(str::to_owned).collect(),
     })
+}
+
+/// True for the files that a student's folder has from the start: they are no answer.
+fn is_given(task: &Task, name: &str) -> bool {
+    let is_scene = |label: &str| {
+        let scene = label.split(" without ").next().unwrap_or(label);
+        let short = scene.rsplit('/').next().unwrap_or(scene);
+        let flat = format!("{}.flat.json", short.trim_end_matches(".json"));
+        name == short || name == flat
+    };
+    name == "task.toml" || task.scenes.iter().any(|scene| is_scene(&scene.label))
 }
 
 /// A task of the course, whose scenes are files of the course or built in.

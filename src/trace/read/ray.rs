@@ -178,7 +178,7 @@ fn facts(
         part(
             hit,
             HIT,
-            &["material", "part", "frames"],
+            &["material", "part", "gradient", "frames"],
             &place.key("hit"),
             notes,
             &mut facts,

@@ -217,7 +217,12 @@ pub fn hint(model: &mut LessonModel) {
         (number, hint + of)
     });
     let Some((number, hint)) = next else {
-        return say(model, "there are no more hints".to_owned());
+        let told = if exercise.hints.is_empty() {
+            "this exercise has no hints"
+        } else {
+            "there are no more hints"
+        };
+        return say(model, told.to_owned());
     };
     match model.attempt.as_mut().map(|attempt| &mut attempt.place) {
         Some(AttemptPlace::Debugger(program)) => ask::hint(&mut program.model, hint),

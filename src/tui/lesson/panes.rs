@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, BorderType, Widget};
 
 use super::attempt::AttemptPlace;
+use super::help::help;
 use super::keys::LESSON_KEYS;
 use super::layout::LessonPanes;
 use super::model::{LessonModel, LessonOverlay};
@@ -18,8 +19,7 @@ use crate::tui::panes::hints::{keys_line, told_above};
 use crate::tui::panes::text::{arrows, columns, shortened, wrap, write};
 use crate::tui::panes::{self, text_box, theme};
 
-/// Columns of the keys in the help, and of texts at most.
-const KEYS: usize = 18;
+/// Columns of texts at most.
 const TEXT: u16 = 100;
 
 /// Draws the model.
@@ -232,33 +232,6 @@ pub fn last_text(text: &str, screen: Rect) -> u16 {
     let screen = covered(screen);
     let width = text_box::room(screen, TEXT);
     text_box::last_scroll(screen, in_lines(text, width).len())
-}
-
-/// How far the help can be scrolled.
-pub fn last_help(screen: Rect) -> u16 {
-    let screen = covered(screen);
-    text_box::last_scroll(screen, help(text_box::room(screen, 0)).len())
-}
-
-/// All keys, with what they do.
-fn help(width: u16) -> Vec<Line<'static>> {
-    let room = usize::from(width).saturating_sub(KEYS + 1).max(10);
-    let mut lines = vec![
-        Line::raw("✓ done   » skipped, the chapter is known   - given up   · tried"),
-        Line::default(),
-    ];
-    for binding in LESSON_KEYS {
-        let keys = wrap(&binding.labels(), KEYS - 1);
-        let doc = wrap(binding.doc, room);
-        for i in 0..keys.len().max(doc.len()) {
-            let key = keys.get(i).map_or("", String::as_str);
-            lines.push(Line::from(vec![
-                Span::styled(format!("{key:<KEYS$}"), theme::keycap()),
-                Span::raw(doc.get(i).cloned().unwrap_or_default()),
-            ]));
-        }
-    }
-    lines
 }
 
 /// The keys that are worth a hint here.

@@ -7,7 +7,7 @@ use super::answering;
 use super::attempt::AttemptPlace;
 use super::keys::{LessonAction, lesson_action};
 use super::model::{LessonModel, LessonOverlay};
-use super::panes;
+use super::{help, panes};
 use crate::tui::model::ask::AskKey;
 use crate::tui::model::{Message, Mouse, Request, inside};
 
@@ -199,7 +199,7 @@ fn scroll(model: &mut LessonModel, by: i32) {
                 .min(chapters.saturating_sub(1));
         }
         Some(LessonOverlay::Help(scroll)) => {
-            let last = panes::last_help(screen);
+            let last = help::last_help(screen);
             *scroll = scroll.saturating_add_signed(by as i16).min(last);
         }
         Some(LessonOverlay::Text(_, text, scroll)) => {

@@ -1,11 +1,14 @@
 //! How the cursor moves other than by a key a step: by itself, back over its jumps.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use crate::debug::breaks::BreakPoint;
 use crate::debug::log_run::LogRun;
 use crate::debug::ray_search::RaySearch;
 use crate::trace::Address;
+
+/// How long a key waits for a run or a search; it goes on afterwards.
+pub const AT_ONCE: Duration = Duration::from_millis(5);
 
 /// Steps that run by themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

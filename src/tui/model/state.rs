@@ -25,9 +25,7 @@ use crate::debug::{
 };
 use crate::lab::show::ShowMode;
 use crate::scene::effects::{Finding, findings};
-use crate::scene::{Patch, Settings, Warning, view_command};
-use crate::trace::Address;
-use crate::trace::address::{AddressPart, path_of};
+use crate::scene::{Patch, Settings, Warning};
 use crate::trace::facts::TreePath;
 use crate::world::World;
 
@@ -236,34 +234,6 @@ impl Model {
     /// True while the cursor moves by itself.
     pub fn is_moving(&self) -> bool {
         self.play.is_some() || self.running.is_some()
-    }
-
-    /// The address of what is shown.
-    pub fn address(&self) -> Address {
-        let mut address = Address {
-            scene: None,
-            pixel: self.picture.cursor,
-            path: TreePath::default(),
-            part: None,
-        };
-        if let Some(session) = &self.session {
-            address.pixel = (session.trace.x, session.trace.y);
-            let node = session.node();
-            address.path = node.map_or_else(TreePath::default, |n| path_of(session.view(), n));
-            address.part = Some(AddressPart::Event(session.cursor().position()));
-        }
-        address
-    }
-
-    /// The command that opens the debugger at what is shown.
-    pub fn open_command(&self) -> String {
-        let address = self.address().to_string();
-        view_command(
-            &self.options.scene,
-            &self.world.scene,
-            &self.settings,
-            &address,
-        )
     }
 
     /// The layout of the screen.

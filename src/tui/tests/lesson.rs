@@ -215,6 +215,13 @@ fn bug(program: &mut LessonProgram, stage: &Stage, exercise: &Exercise) {
         path,
         part: None,
     };
+    // The pixel beside it may be looked at.
+    for (code, x) in [(KeyCode::Right, at.0 + 1), (KeyCode::Left, at.0)] {
+        program.send(Message::Key(KeyEvent::new(code, KeyModifiers::SHIFT)));
+        settle(program);
+        let trace = &inner(program).session.as_ref().expect("a tree").trace;
+        assert_eq!((trace.x, trace.y), (x, at.1), "{}", exercise.id);
+    }
     let session = inner(program).session.as_mut().expect("a tree");
     session.go_to_address(&address).expect("the ray is there");
     keys(program, "b");

@@ -98,6 +98,12 @@ pub fn go_to(model: &mut Model, address: Address) -> Result<(), String> {
     if model.ask.as_ref().is_some_and(AskState::hides) {
         return Err(BEHIND.to_owned());
     }
+    show_at(model, address);
+    Ok(())
+}
+
+/// Goes to an address in another pixel.
+fn show_at(model: &mut Model, address: Address) {
     model.picture.cursor = address.pixel;
     moved(model);
     let is_ray = address.path != TreePath::default() || address.part.is_some();
@@ -105,10 +111,9 @@ pub fn go_to(model: &mut Model, address: Address) -> Result<(), String> {
         model.options.at = Some(address);
         open(model);
     }
-    Ok(())
 }
 
-/// Opens the tree of the pixel beside this one, at the same ray.
+/// Opens the tree of the pixel beside this one, at the same ray. (A question that does not allow it has refused the key.)
 pub fn neighbour(model: &mut Model, dx: i32, dy: i32) {
     let mut address = model.address();
     let (x, y) = address.pixel;
@@ -120,7 +125,7 @@ pub fn neighbour(model: &mut Model, dx: i32, dy: i32) {
     };
     address.pixel = pixel;
     address.part = None;
-    model.message = go_to(model, address).err();
+    show_at(model, address);
 }
 
 /// Searches the picture anew: it is another one.

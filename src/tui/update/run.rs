@@ -1,15 +1,13 @@
 //! Break points and watched numbers: set, taken away, run to.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use super::{history, search};
 use crate::debug::breaks::{self, BreakPoint};
 use crate::debug::log_run::{LogRun, Run};
 use crate::debug::watch::Watch;
+use crate::tui::model::motion::AT_ONCE;
 use crate::tui::model::{LongRun, Model};
-
-/// How long a key waits for a run; it goes on afterwards.
-const AT_ONCE: Duration = Duration::from_millis(5);
 
 /// Break points at most.
 const MOST: usize = 100;
@@ -91,16 +89,10 @@ fn start(model: &mut Model, points: Vec<BreakPoint>, forward: bool) {
         return;
     };
     let run = LogRun::new(&points, session.cursor().position(), forward);
-    begin(model, LongRun::ToBreak(run, points));
+    to_break(model, run, points, Instant::now() + AT_ONCE);
 }
 
-/// Begins what may take long.
-pub fn begin(model: &mut Model, run: LongRun) {
-    model.running = Some(run);
-    go_on(model);
-}
-
-/// Goes on with it for some milliseconds.
+/// Goes on with what takes long, for some milliseconds.
 pub fn go_on(model: &mut Model) {
     let until = Instant::now() + AT_ONCE;
     match model.running.take() {

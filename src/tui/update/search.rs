@@ -2,11 +2,12 @@
 
 use std::time::Instant;
 
-use super::{history, image, run};
+use super::{history, image};
 use crate::debug::QuerySearch;
 use crate::debug::ray_search::RaySearch;
 use crate::trace::TreeQuery;
 use crate::trace::query::unknown_names;
+use crate::tui::model::motion::AT_ONCE;
 use crate::tui::model::{Job, LongRun, Model};
 
 /// Begins to search for a query; in an open tree also for the next ray that satisfies it.
@@ -54,7 +55,7 @@ fn in_tree(model: &mut Model, query: &TreeQuery, forward: bool) -> bool {
         return false;
     };
     let search = RaySearch::new(query, session.cursor().position(), forward);
-    run::begin(model, LongRun::ToRay(search));
+    go_on(model, search, Instant::now() + AT_ONCE);
     true
 }
 

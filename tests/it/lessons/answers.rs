@@ -166,6 +166,30 @@ fn hints_come_one_by_one_and_a_solution_only_when_it_is_done_or_given_up() {
     assert!(code == Some(2) && text.contains("1 to 24"), "{text}");
 }
 
+/// The files that a student is given are no answer, and nothing is said against them.
+#[test]
+fn a_folder_as_it_is_given_has_no_answer_yet() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let state = folder.path().join("progress.json");
+    let work = folder.path().join("work");
+    let path = |name: &str| work.join(name).display().to_string();
+    let started = lesson(&state).args(["start", &path("")]).output();
+    assert!(started.expect("runs").status.success());
+    for (id, at) in [
+        ("write-sphere", "05-sphere/write-sphere"),
+        ("soft", "20-chance/soft"),
+    ] {
+        let output = lesson(&state).args(["answer", id, &path(at)]).output();
+        let output = output.expect("runs");
+        let text = String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success(), "{text}");
+        for given in [".json:", "raytree-flat", "raytree-scene"] {
+            assert!(!text.contains(given), "{id}: {text}");
+        }
+    }
+}
+
 /// Each chapter is read in a pipe: no escape sequence, every exercise is offered, and what is off is told.
 #[test]
 fn chapters_are_read_in_a_pipe() {
