@@ -143,7 +143,7 @@ impl Stage {
         let trace = trace_pixel(&self.world, &self.settings, at, true);
         if trace.pixel.truncated {
             return Err(format!(
-                "pixel {},{} takes more than {} rays, the most here: its numbers would be those of a part; \
+                "pixel {},{} takes more than its share of the {} rays of a picture: its numbers would be those of a part; \
                  ask for fewer samples",
                 at.0, at.1, self.settings.recursion.max_rays
             ));
