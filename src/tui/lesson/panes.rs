@@ -16,7 +16,7 @@ use crate::tui::model::inside;
 use crate::tui::model::layout::covered;
 use crate::tui::model::placement::Placement;
 use crate::tui::panes::hints::{keys_line, told_above};
-use crate::tui::panes::text::{arrows, columns, shortened, wrap, write};
+use crate::tui::panes::text::{arrows, columns, shortened, write};
 use crate::tui::panes::{self, text_box, theme};
 
 /// Columns of texts at most.
