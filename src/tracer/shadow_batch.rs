@@ -93,12 +93,14 @@ impl ShadowBatch {
     #[inline]
     pub fn sample(&mut self, sampler: &impl LightSampler, count: u32) {
         for sample in 0..count {
-            let ray = sampler.shadow_ray(sample);
-            if let Ok(ShadowRay { ray, light, .. }) = ray {
-                self.push(ray, light.distance);
-            }
-            let occluded = false;
+            let index = self.prefetched.len() as u32;
+            let (ray, occluded) = (sampler.shadow_ray(sample), false);
             self.prefetched.push(Prefetched { ray, occluded });
+            let added = self.prefetched.last().map(|added| &added.ray);
+            if let Some(Ok(ShadowRay { ray, light, .. })) = added {
+                self.rays.push((*ray, Interval::before(light.distance)));
+                self.indices.push(index);
+            }
         }
     }
 
@@ -118,12 +120,6 @@ impl ShadowBatch {
         };
         let len = self.prefetched.len() + count as usize;
         self.prefetched.resize(len, none);
-    }
-
-    #[inline]
-    fn push(&mut self, ray: Ray, distance: f64) {
-        self.rays.push((ray, Interval::before(distance)));
-        self.indices.push(self.prefetched.len() as u32);
     }
 
     /// Traces the rays that were added since the last call, all to one light.
@@ -214,7 +210,9 @@ mod tests {
             DVec3::new(libm::cos(turn), 0.1, libm::sin(turn)).normalize()
         };
         for i in 0..2 * SORTED {
-            batch.push(Ray::new(DVec3::ZERO, direction(i)), 1.0);
+            let ray = Ray::new(DVec3::ZERO, direction(i));
+            batch.rays.push((ray, Interval::before(1.0)));
+            batch.indices.push(i as u32);
             batch.skip(1);
         }
         batch.sort();
