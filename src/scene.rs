@@ -59,6 +59,7 @@ use crate::probe::NONE;
 use crate::shading::{Interaction, Light, Material};
 use printable::printable;
 use tessellated::tessellated;
+pub use tessellated::{squares_that_fit, triangles_of};
 
 /// The index of refraction of the medium around everything.
 pub const AIR_IOR: f64 = 1.0;
@@ -277,7 +278,8 @@ impl Scene {
         effects: Effects,
         flat: &'a mut Option<Interaction>,
     ) -> &'a Interaction {
-        if effects.has(Effect::Smooth) || self.object_of(hit.primitive).vertices.is_none() {
+        let vertices = || self.object_of(hit.primitive).vertices.as_ref();
+        if effects.has(Effect::Smooth) || vertices().is_none_or(|data| data.of_surface) {
             return at;
         }
         flattened(at, flat)

@@ -10,12 +10,12 @@ use super::changes::ChangeArgs;
 use super::notices::Notices;
 use super::{Failure, build_progress};
 use crate::accel::{AccelKind, fastest};
-use crate::geometry::Shape;
+use crate::geometry::{PatchMethod, Shape};
 use crate::scene::effects::effects;
-use crate::scene::limits::MAX_THREADS;
+use crate::scene::limits::{MAX_PRIMITIVES, MAX_THREADS};
 use crate::scene::settings::knob::{Kind, Knob, Value, Word, parse_whole};
 use crate::scene::settings::knobs::knobs;
-use crate::scene::{Patch, Scene, SceneSource, Settings, label, source};
+use crate::scene::{Patch, Scene, SceneSource, Settings, label, source, squares_that_fit};
 use crate::world::{World, checks};
 
 /// What decides on the accelerator if the user does not.
@@ -215,6 +215,14 @@ impl SceneArgs {
                 "--{} {}: {}",
                 deviation.choice, deviation.value, deviation.note
             ));
+        }
+        if let PatchMethod::Triangles(wanted) = settings.arithmetic.patch {
+            let squares = squares_that_fit(&scene, wanted);
+            if squares < wanted {
+                notices.note(format!(
+                    "--patch-test triangles:{squares} is what there is room for: {MAX_PRIMITIVES} shapes are the most"
+                ));
+            }
         }
         let scene = scene.computed_with(settings.arithmetic);
         let mut world = build_progress::world(scene, settings.accel, notices.quiet);

@@ -26,6 +26,14 @@ pub fn scene_path(folder: &str, scene: &str) -> Result<String, String> {
     Ok(scene.to_owned())
 }
 
+/// The files that a student is given of a scene of a task: as it is in the course, and flat. `label` is what the task calls it.
+pub fn given_files(label: &str) -> [String; 2] {
+    let name = label.split(" without ").next().unwrap_or(label);
+    let short = name.rsplit('/').next().unwrap_or(name);
+    let flat = format!("{}.flat.json", short.trim_end_matches(".json"));
+    [short.to_owned(), flat]
+}
+
 /// Settings by the names of flags.
 pub fn pairs(settings: &BTreeMap<String, SettingValue>) -> Vec<(String, String)> {
     let all = settings.iter();

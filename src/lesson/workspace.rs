@@ -7,7 +7,7 @@ use super::chapter::Chapter;
 use super::course::Course;
 use super::exercise::ExerciseKind;
 use super::files::is_scene_file;
-use super::names::scene_path;
+use super::names::{given_files, scene_path};
 use crate::scene::flat::write_json;
 use crate::tracer::thread_pool;
 
@@ -72,15 +72,14 @@ fn of_task(course: &Course, task: &str, folder: &str) -> Result<Vec<(String, Vec
             .next()
             .unwrap_or(&scene.label);
         let path = scene_path(from, name)?;
-        let short = name.rsplit('/').next().unwrap_or(name);
+        let [short, flat_name] = given_files(&scene.label);
         if is_scene_file(name) {
             let text = course.files.text(&path).map_err(|e| e.to_string())?;
             files.push((format!("{folder}/{short}"), text.as_bytes().to_vec()));
         }
         let mut flat = Vec::new();
         write_json(&mut flat, &scene.world.scene).map_err(|e| e.to_string())?;
-        let short = short.trim_end_matches(".json");
-        files.push((format!("{folder}/{short}.flat.json"), flat));
+        files.push((format!("{folder}/{flat_name}"), flat));
     }
     files.sort();
     files.dedup_by(|a, b| a.0 == b.0);

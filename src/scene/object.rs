@@ -44,6 +44,9 @@ pub struct VertexData {
     pub uv_indices: Vec<[u32; 3]>,
     /// Texture coordinates, shared likewise.
     pub uvs: Arc<Vec<DVec2>>,
+    /// True if the normals are those of a curved surface that the triangles stand for. They are no effect of a mesh then, which can
+    /// be left out.
+    pub of_surface: bool,
 }
 
 impl Object {
@@ -55,7 +58,7 @@ impl Object {
     /// True if it is a mesh whose normals are blended between its corners.
     pub fn is_smooth(&self) -> bool {
         let vertices = self.vertices.as_ref();
-        vertices.is_some_and(|data| !data.normal_indices.is_empty())
+        vertices.is_some_and(|data| !data.normal_indices.is_empty() && !data.of_surface)
     }
 }
 

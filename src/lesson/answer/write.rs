@@ -6,7 +6,7 @@ use crate::grade::report::Marked;
 use crate::grade::submission::Submission;
 use crate::grade::task::{Task, TaskError};
 use crate::lesson::course::Course;
-use crate::lesson::names::scene_path;
+use crate::lesson::names::{given_files, scene_path};
 use crate::scene::Bends;
 
 /// Judges what was handed in.
@@ -31,13 +31,8 @@ pub fn judge(
 
 /// True for the files that a student's folder has from the start: they are no answer.
 fn is_given(task: &Task, name: &str) -> bool {
-    let is_scene = |label: &str| {
-        let scene = label.split(" without ").next().unwrap_or(label);
-        let short = scene.rsplit('/').next().unwrap_or(scene);
-        let flat = format!("{}.flat.json", short.trim_end_matches(".json"));
-        name == short || name == flat
-    };
-    name == "task.toml" || task.scenes.iter().any(|scene| is_scene(&scene.label))
+    let mut given = task.scenes.iter().flat_map(|s| given_files(&s.label));
+    name == "task.toml" || given.any(|given| given == name)
 }
 
 /// A task of the course, whose scenes are files of the course or built in.

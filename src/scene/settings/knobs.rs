@@ -33,6 +33,20 @@ macro_rules! choice {
     };
 }
 
+/// A field that is read from the text that it writes.
+macro_rules! text {
+    ($($field:ident).+) => {
+        Field {
+            get: |s| Some(Value::Text(s.$($field).+.to_string())),
+            set: |s, value| {
+                if let Ok(read) = value.to_string().parse() {
+                    s.$($field).+ = read;
+                }
+            },
+        }
+    };
+}
+
 /// Words of a choice whose own text says what they mean, with their values.
 macro_rules! names {
     ($kind:ident) => {

@@ -1,35 +1,22 @@
 //! Help of the lesson screen: its keys, with what they do.
 
 use ratatui::layout::Rect;
-use ratatui::text::{Line, Span};
+use ratatui::text::Line;
 
 use super::keys::LESSON_KEYS;
 use crate::tui::model::layout::covered;
-use crate::tui::panes::text::wrap;
-use crate::tui::panes::{text_box, theme};
+use crate::tui::panes::help::key_lines;
+use crate::tui::panes::text_box;
 
-/// Columns of the keys.
-const KEYS: usize = 18;
+/// What the signs of exercises mean.
+const SIGNS: &str = "✓ done   » skipped, the chapter is known   - given up   · tried";
 
 /// All keys, with what they do.
 pub fn help(width: u16) -> Vec<Line<'static>> {
-    let room = usize::from(width).saturating_sub(KEYS + 1).max(10);
-    let mut lines = vec![
-        Line::raw("✓ done   » skipped, the chapter is known   - given up   · tried"),
-        Line::default(),
-    ];
-    for binding in LESSON_KEYS {
-        let keys = wrap(&binding.labels(), KEYS - 1);
-        let doc = wrap(binding.doc, room);
-        for i in 0..keys.len().max(doc.len()) {
-            let key = keys.get(i).map_or("", String::as_str);
-            lines.push(Line::from(vec![
-                Span::styled(format!("{key:<KEYS$}"), theme::keycap()),
-                Span::raw(doc.get(i).cloned().unwrap_or_default()),
-            ]));
-        }
-    }
-    lines
+    let keys = LESSON_KEYS.iter();
+    let keys = keys.flat_map(|binding| key_lines(&binding.labels(), binding.doc, width));
+    let signs = [Line::raw(SIGNS), Line::default()];
+    signs.into_iter().chain(keys).collect()
 }
 
 /// How far the help can be scrolled.

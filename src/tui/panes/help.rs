@@ -43,23 +43,28 @@ pub fn lines(width: u16) -> Vec<Line<'static>> {
         (Context::Text, "In a text over the panes"),
         (Context::Always, "Always"),
     ];
-    let room = usize::from(width).saturating_sub(KEYS + 1).max(10);
     for (context, heading) in sections {
         lines.push(Line::default());
         lines.push(Line::from(Span::raw(heading).bold()));
         for binding in ACTIONS.iter().filter(|b| b.context == context) {
-            let keys = wrap(&binding.labels(), KEYS - 1);
-            let doc = wrap(binding.doc, room);
-            for i in 0..keys.len().max(doc.len()) {
-                let key = keys.get(i).map_or("", String::as_str);
-                lines.push(Line::from(vec![
-                    Span::styled(format!("{key:<KEYS$}"), theme::keycap()),
-                    Span::raw(doc.get(i).cloned().unwrap_or_default()),
-                ]));
-            }
+            lines.extend(key_lines(&binding.labels(), binding.doc, width));
         }
     }
     lines
+}
+
+/// Lines for keys and what they do, side by side.
+pub fn key_lines(keys: &str, doc: &str, width: u16) -> Vec<Line<'static>> {
+    let room = usize::from(width).saturating_sub(KEYS + 1).max(10);
+    let (keys, doc) = (wrap(keys, KEYS - 1), wrap(doc, room));
+    let lines = (0..keys.len().max(doc.len())).map(|i| {
+        let key = keys.get(i).map_or("", String::as_str);
+        Line::from(vec![
+            Span::styled(format!("{key:<KEYS$}"), theme::keycap()),
+            Span::raw(doc.get(i).cloned().unwrap_or_default()),
+        ])
+    });
+    lines.collect()
 }
 
 /// What the letters of the rays mean.

@@ -28,14 +28,7 @@ pub const ROWS: &[Knob] = &[
         value_name: "OFFSET",
         doc: "Where rays start that leave a surface: none, fixed:EPS (metres along the normal) or bounded",
         kind: Kind::Text(|text| text.parse::<Offset>().map(|_| ())),
-        field: Field {
-            get: |s| Some(Value::Text(s.arithmetic.offset.to_string())),
-            set: |s, value| {
-                if let Ok(offset) = value.to_string().parse() {
-                    s.arithmetic.offset = offset;
-                }
-            },
-        },
+        field: text!(arithmetic.offset),
         json: "arithmetic.offset",
         steps: &["none", "fixed:1e-9", "fixed:1e-4", "fixed:1e-2", "bounded"],
         ..ARITHMETIC_ROW
@@ -63,22 +56,9 @@ pub const ROWS: &[Knob] = &[
         value_name: "METHOD",
         doc: "How parametric patches are tested: exact, or triangles:N (N x N squares of two for each leaf)",
         kind: Kind::Text(|text| text.parse::<PatchMethod>().map(|_| ())),
-        field: Field {
-            get: |s| Some(Value::Text(s.arithmetic.patch.to_string())),
-            set: |s, value| {
-                if let Ok(method) = value.to_string().parse() {
-                    s.arithmetic.patch = method;
-                }
-            },
-        },
+        field: text!(arithmetic.patch),
         json: "arithmetic.patch_test",
-        steps: &[
-            "triangles:1",
-            "triangles:4",
-            "triangles:16",
-            "triangles:64",
-            "exact",
-        ],
+        steps: &["triangles:1", "triangles:4", "triangles:16", "exact"],
         ..ARITHMETIC_ROW
     },
     Knob {
