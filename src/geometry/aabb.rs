@@ -100,6 +100,15 @@ impl Aabb {
         })
     }
 
+    /// True if the ray's line misses the ball around the box by far.
+    #[inline]
+    pub fn is_passed_by_far(&self, ray: &Ray) -> bool {
+        let f = ray.origin - self.center();
+        let (a, b) = (ray.direction.length_squared(), f.dot(ray.direction));
+        let radius_squared = 0.25 * self.size().length_squared();
+        passes_ball_by_far([a, b, f.length_squared()], radius_squared)
+    }
+
     /// The part of `interval` in which the ray is inside the box, or `None`.
     ///
     /// Conservative: the exits are moved outwards by 2 gamma_3, so that no ray that touches the box is turned away
@@ -128,6 +137,16 @@ impl Aabb {
         }
         (enter <= exit).then_some(Interval::new(enter, exit))
     }
+}
+
+/// Part of the square of the centre's distance by which a line misses for sure: rounding makes less than 64 x 2^-53 of it.
+const FAR: f64 = 1e-12;
+
+/// True if a line misses a ball by far: |f|^2 a - b^2 > r^2 a, by much more than is rounded, with a = d.d and b = f.d, f from the
+/// centre to the origin. It takes no division.
+#[inline(always)]
+pub fn passes_ball_by_far([a, b, distance_squared]: [f64; 3], radius_squared: f64) -> bool {
+    distance_squared * a - b * b > a * (radius_squared + FAR * distance_squared)
 }
 
 #[cfg(test)]

@@ -34,6 +34,7 @@ mod tests;
 use glam::DVec4;
 use smallvec::SmallVec;
 
+use super::aabb::passes_ball_by_far;
 use super::{Aabb, Intersection, Shear};
 use crate::math::rounding::gamma;
 use crate::math::{DVec2, DVec3, Interval};
@@ -58,6 +59,14 @@ pub struct SurfacePatch {
     low: [f64; 2],
     /// The highest.
     high: [f64; 2],
+    ball: Ball,
+}
+
+/// Ball around the control points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Ball {
+    center: DVec3,
+    radius_squared: f64,
 }
 
 /// A place where a ray's line crosses a patch.
@@ -83,11 +92,48 @@ pub struct PatchArithmetic {
     pub crossings: PatchCrossings,
 }
 
+impl Ball {
+    fn around(control: &[DVec4]) -> Self {
+        let points = || control.iter().map(|p| p.truncate());
+        let center = Aabb::around(points()).center();
+        let squares = points().map(|p| p.distance_squared(center));
+        Self {
+            center,
+            radius_squared: squares.fold(0.0, f64::max),
+        }
+    }
+
+    /// True if the ray's line misses it by far. The line runs along (s.x, s.y, 1) on the axes of its view.
+    fn is_passed_by_far(&self, shear: &Shear) -> bool {
+        let f = (shear.origin - self.center).to_array();
+        let [x, y, z] = shear.axes.map(|axis| f[axis]);
+        let a = shear.s.x * shear.s.x + shear.s.y * shear.s.y + 1.0;
+        let b = x * shear.s.x + y * shear.s.y + z;
+        passes_ball_by_far([a, b, x * x + y * y + z * z], self.radius_squared)
+    }
+}
+
 impl SurfacePatch {
-    /// The first crossing inside the interval. Its place is [u, v, 0] in the leaf.
+    /// A leaf with `size` control points along u and v, over the part of the whole surface's u and v from `low` to `high`.
+    fn new(size: [usize; 2], control: Box<[DVec4]>, [low, high]: [[f64; 2]; 2]) -> Self {
+        let ball = Ball::around(&control);
+        Self {
+            size,
+            control,
+            low,
+            high,
+            ball,
+        }
+    }
+
+    /// The first crossing inside the interval. Its place is [u, v, 0] in the leaf. Most rays that are asked here miss the ball around
+    /// the control points, and need no view of them.
     #[inline(never)]
     pub fn intersect(&self, shear: &Shear, interval: Interval) -> Intersection {
         let mut found = Intersection::Miss;
+        if self.ball.is_passed_by_far(shear) {
+            return found;
+        }
         for crossing in self.crossings(shear) {
             let [u, v] = crossing.place;
             match Intersection::classify(crossing.t, [u, v, 0.0], interval) {

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::aabb::passes_ball_by_far;
 use super::{Aabb, Intersection, SurfacePoint};
 use crate::math::rounding::gamma;
 use crate::math::{DVec2, DVec3, Interval, Ray};
@@ -16,9 +17,6 @@ pub struct Sphere {
     /// The radius, above 0.
     pub radius: f64,
 }
-
-/// Part of the square of the centre's distance by which a line misses for sure: rounding makes less than 64 x 2^-53 of it.
-const FAR: f64 = 1e-12;
 
 impl Sphere {
     /// The first crossing inside the interval.
@@ -47,7 +45,7 @@ impl Sphere {
         let a = ray.direction.length_squared();
         let b = -f.dot(ray.direction);
         // Most lines miss by far, and need no division to know it.
-        if self.is_far(f, a, b) {
+        if passes_ball_by_far([a, b, f.length_squared()], self.radius * self.radius) {
             return None;
         }
         // l runs from the centre to the nearest point of the ray's line: |l| < r is what decides.
@@ -62,13 +60,6 @@ impl Sphere {
         let c = (distance - self.radius) * (distance + self.radius);
         let (t0, t1) = (c / q, q / a);
         Some([t0.min(t1), t0.max(t1)])
-    }
-
-    /// True if a line misses by far: |f|^2 a - b^2 > r^2 a, by much more than is rounded here or in l.
-    #[inline(always)]
-    fn is_far(&self, f: DVec3, a: f64, b: f64) -> bool {
-        let far = f.length_squared();
-        far * a - b * b > a * (self.radius * self.radius + FAR * far)
     }
 
     /// The point at `t`, with its u and v.
@@ -175,7 +166,7 @@ mod tests {
                     let direction = DVec3::NEG_Z * 0.7;
                     let (a, b) = (direction.length_squared(), -f.dot(direction));
                     let l = f + (b / a) * direction;
-                    let is_far = UNIT.is_far(f, a, b);
+                    let is_far = passes_ball_by_far([a, b, f.length_squared()], 1.0);
                     assert!(!is_far || l.length_squared() > 1.0, "{f}");
                     far += u32::from(is_far);
                     near += u32::from(!is_far && l.length_squared() > 1.0);

@@ -15,7 +15,7 @@ use crate::probe::{Probe, counting};
 use crate::scene::Settings;
 use crate::world::World;
 
-pub use camera_sample::{CameraSample, camera_sample, camera_samples};
+pub use camera_sample::{CameraSample, CameraSamples, camera_sample};
 pub use estimate::Pixel;
 pub use estimator::PixelEstimator;
 pub use weights::Weights;

@@ -5,7 +5,7 @@
 //! prefetched instead of asking the accelerator, and the answer is the same to the last bit.
 
 use super::light_sampler::{self, AreaSampler, PointSampler};
-use super::pixel::{CameraSample, camera_samples};
+use super::pixel::{CameraSample, CameraSamples};
 use super::shadow_batch::{Prefetched, ShadowBatch};
 use crate::geometry::Hit;
 use crate::math::{Interval, Ray};
@@ -55,8 +55,8 @@ impl TileBatch {
     ) -> bool {
         let (scene, camera) = (&world.scene, &world.scene.camera);
         self.samples.clear();
-        self.samples
-            .extend(camera_samples(settings, pixels, sample));
+        let of_pixels = CameraSamples::new(settings, sample);
+        self.samples.extend(pixels.map(|pixel| of_pixels.of(pixel)));
         if self.samples.is_empty() {
             return false;
         }

@@ -8,9 +8,9 @@ use std::collections::HashMap;
 use glam::DVec4;
 use smallvec::SmallVec;
 
-use super::SurfacePatch;
 use super::grid::MAX_DEGREE;
 use super::knots::mix;
+use super::{Ball, SurfacePatch};
 use crate::math::DVec3;
 use crate::math::rounding::gamma;
 
@@ -169,6 +169,9 @@ impl SurfacePatch {
         let middle = 0.5 * (self.low[axis] + self.high[axis]);
         low.high[axis] = middle;
         high.low[axis] = middle;
+        for half in [&mut low, &mut high] {
+            half.ball = Ball::around(&half.control);
+        }
         [low, high]
     }
 

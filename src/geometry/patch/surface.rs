@@ -77,12 +77,7 @@ impl BezierSurface {
                     size[0]
                 )));
             }
-            patches.push(SurfacePatch {
-                size,
-                control: rows.concat().into(),
-                low: range(i)[0],
-                high: range(i)[1],
-            });
+            patches.push(SurfacePatch::new(size, rows.concat().into(), range(i)));
         }
         if self.ranges.is_some() {
             return Ok(patches);
@@ -129,12 +124,8 @@ impl NurbsSurface {
                     ];
                     place.map(|(knots, degree, x)| unit(knots, degree, x))
                 };
-                patches.push(SurfacePatch {
-                    size: [p + 1, q + 1],
-                    control: part.copied().collect(),
-                    low: ends(0),
-                    high: ends(1),
-                });
+                let (size, control) = ([p + 1, q + 1], part.copied().collect());
+                patches.push(SurfacePatch::new(size, control, [ends(0), ends(1)]));
             }
         }
         leaves::cut(&patches)

@@ -50,12 +50,8 @@ pub fn leaf(rows: &[Vec<DVec3>], weights: Option<&[Vec<f64>]>) -> SurfacePatch {
             .enumerate()
             .map(move |(i, p)| p.extend(weight(j, i)))
     });
-    SurfacePatch {
-        size: [rows[0].len(), rows.len()],
-        control: control.collect(),
-        low: [0.0; 2],
-        high: [1.0; 2],
-    }
+    let size = [rows[0].len(), rows.len()];
+    SurfacePatch::new(size, control.collect(), [[0.0; 2], [1.0; 2]])
 }
 
 /// A bicubic sheet over the square from -1 to 1 with heights at random.
@@ -86,4 +82,35 @@ pub fn parts(patch: &SurfacePatch, origin: DVec3, direction: DVec3) -> usize {
 pub fn lattice(place: impl Fn(f64, f64) -> DVec3) -> SurfacePatch {
     let row = |j: u32| (0..4).map(|i| place(f64::from(i), f64::from(j))).collect();
     leaf(&(0..4).map(row).collect::<Vec<_>>(), None)
+}
+
+/// Rays at corners, which lie on the ball or close to it, and across the patch, from near and from far.
+#[test]
+fn the_ball_turns_no_ray_away_that_meets_the_patch() {
+    let mut random = PatchRays(77);
+    let (mut met, mut turned_away) = (0, 0);
+    for _ in 0..crate::geometry::test_rays::many(20_000u32) {
+        let patch = sheet(&mut random, 0.5);
+        let corner = [0, 3, 12, 15][(4.0 * random.unit()) as usize];
+        let inwards = 1.0 - libm::exp10(-16.0 * random.unit());
+        let target = patch.control[corner].truncate() * inwards;
+        let distance = libm::exp10(8.0 * random.unit());
+        let direction = random.direction();
+        let ray = Ray::new(target - distance * direction, direction);
+        let shear = Shear::new(&ray);
+        let found = patch.intersect(&shear, Interval::LINE);
+        let first = patch.crossings(&shear).first().map(|crossing| crossing.t);
+        let t = match found {
+            Intersection::Hit { t, .. } => Some(t),
+            _ => None,
+        };
+        assert_eq!(t, first, "{ray:?}");
+        met += u32::from(t.is_some());
+        let beside = Ray::new(
+            ray.origin + 3.0 * direction.any_orthonormal_vector(),
+            direction,
+        );
+        turned_away += u32::from(patch.ball.is_passed_by_far(&Shear::new(&beside)));
+    }
+    assert!(met > 5000 && turned_away > 5000, "{met} {turned_away}");
 }

@@ -23,10 +23,12 @@ pub enum Body {
 }
 
 impl Body {
-    /// The first crossing inside the interval. A line that misses the box around it needs no more than that.
+    /// The first crossing inside the interval. A line that misses the box around it needs no more than that; most miss the ball
+    /// around the box, and need no division.
     #[inline(never)]
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
-        if self.bounds().clip(ray, Interval::LINE).is_none() {
+        let bounds = self.bounds();
+        if bounds.is_passed_by_far(ray) || bounds.clip(ray, Interval::LINE).is_none() {
             return Intersection::Miss;
         }
         match self {

@@ -17,7 +17,11 @@ impl Transformed {
     #[inline(always)]
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
         let ray = self.transform.ray_to_object(ray);
-        self.shape.intersect(&ray, &Shear::new(&ray), interval)
+        match &self.shape {
+            // It needs no shear.
+            Shape::Body(body) => body.intersect(&ray, interval),
+            other => other.intersect(&ray, &Shear::new(&ray), interval),
+        }
     }
 
     /// See [`Shape::enters`].

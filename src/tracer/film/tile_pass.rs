@@ -3,7 +3,7 @@
 use super::buffer::Film;
 use crate::probe::{Probe, Silent, counting};
 use crate::scene::Settings;
-use crate::tracer::pixel::{PixelEstimator, pixel};
+use crate::tracer::pixel::{CameraSamples, PixelEstimator, pixel};
 use crate::tracer::state::Tracer;
 use crate::tracer::tile::Tile;
 use crate::tracer::tile_batch::TileBatch;
@@ -113,15 +113,42 @@ fn begin<P: Probe>(tracer: &mut Tracer<P>, tile: Tile) -> Vec<PixelEstimator> {
     pixels
 }
 
-/// Takes the samples that some pixels need, which have equally many so far: their rays are traced together, sample after
-/// sample, if that is quicker.
+/// Takes the samples that some pixels need, which have equally many so far, sample after sample: their rays are traced together
+/// if that is quicker.
 fn run_all<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator]) {
-    let (world, settings) = (tracer.world, tracer.settings);
-    if !world.accel.gains_from_packets() {
-        return pixels.iter_mut().for_each(|pixel| pixel.run(tracer));
+    let first = pixels.first().map_or(0, PixelEstimator::samples);
+    if tracer.world.accel.gains_from_packets() {
+        run_together(tracer, pixels, first);
+    } else {
+        run_each(tracer, pixels, first);
     }
+}
+
+/// Takes the samples from number `first` on, one pixel's ray after the other.
+fn run_each<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator], first: u32) {
+    let (settings, camera) = (tracer.settings, &tracer.world.scene.camera);
+    for index in first.. {
+        let samples = CameraSamples::new(settings, index);
+        let mut any_open = false;
+        for pixel in pixels.iter_mut() {
+            if pixel.is_open(settings) {
+                any_open = true;
+                let sample = samples.of(pixel.at());
+                let ray = camera.ray(sample.film, settings.size());
+                pixel.add(tracer, (&sample, ray), None);
+            }
+        }
+        if !any_open {
+            break;
+        }
+    }
+}
+
+/// Takes the samples from number `first` on, the rays of all pixels in packets.
+fn run_together<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator], first: u32) {
+    let (world, settings) = (tracer.world, tracer.settings);
     let mut batch = TileBatch::default();
-    for index in pixels.first().map_or(0, PixelEstimator::samples).. {
+    for index in first.. {
         let open = pixels.iter_mut();
         let open = open.filter_map(|p| p.is_open(settings).then(|| p.at()));
         if !batch.trace(world, settings, open, index) {

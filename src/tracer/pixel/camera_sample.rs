@@ -25,18 +25,31 @@ pub fn camera_sample(settings: &Settings, pixel: (u32, u32), index: u32) -> Came
     PlaceInPixel::new(settings, pixel, index).of(pixel)
 }
 
-/// Sample number `index` of each of some pixels. A grid is the same in all of them: its place is computed once.
-pub fn camera_samples(
-    settings: &Settings,
-    pixels: impl Iterator<Item = (u32, u32)>,
+/// Sample number `index` of whatever pixels are asked for. A grid is the same in all of them: its place is computed once.
+pub struct CameraSamples<'a> {
+    settings: &'a Settings,
     index: u32,
-) -> impl Iterator<Item = CameraSample> {
-    let is_grid = settings.pixel.sampler == Sampler::Grid;
-    let shared = is_grid.then(|| PlaceInPixel::new(settings, (0, 0), index));
-    pixels.map(move |pixel| {
-        let place = shared.unwrap_or_else(|| PlaceInPixel::new(settings, pixel, index));
+    shared: Option<PlaceInPixel>,
+}
+
+impl<'a> CameraSamples<'a> {
+    /// Sample number `index`.
+    pub fn new(settings: &'a Settings, index: u32) -> Self {
+        let is_grid = settings.pixel.sampler == Sampler::Grid;
+        Self {
+            settings,
+            index,
+            shared: is_grid.then(|| PlaceInPixel::new(settings, (0, 0), index)),
+        }
+    }
+
+    /// That of a pixel.
+    #[inline]
+    pub fn of(&self, pixel: (u32, u32)) -> CameraSample {
+        let place = self.shared;
+        let place = place.unwrap_or_else(|| PlaceInPixel::new(self.settings, pixel, self.index));
         place.of(pixel)
-    })
+    }
 }
 
 /// Place of a sample in its pixel.

@@ -71,12 +71,12 @@ fn patches_of(
         for a in 0..around {
             let point =
                 |k: usize| points[b * q + k / (p + 1)][(a * p + k % (p + 1)) % points[0].len()];
-            patches.push(SurfacePatch {
-                size: [p + 1, q + 1],
-                control: (0..(p + 1) * (q + 1)).map(point).collect(),
-                low: [0.0; 2],
-                high: [1.0; 2],
-            });
+            let control = (0..(p + 1) * (q + 1)).map(point).collect();
+            patches.push(SurfacePatch::new(
+                [p + 1, q + 1],
+                control,
+                [[0.0; 2], [1.0; 2]],
+            ));
         }
     }
     patches
