@@ -5,6 +5,7 @@
 //! `.x .y .z` of vectors, `.r .g .b` of colours, `[0]` of lists.
 
 mod computed;
+mod equations;
 
 pub use computed::steps;
 use serde_json::Value;
@@ -68,7 +69,7 @@ fn parts(name: &str) -> Result<(&str, Vec<usize>), String> {
             let index = ["x", "y", "z"].iter().position(|l| *l == last);
             let index = index.or_else(|| ["r", "g", "b"].iter().position(|l| *l == last));
             // b of a quadratic is no blue.
-            Some((before, index?)).filter(|_| before != "sphere")
+            Some((before, index?)).filter(|_| !equations::EQUATIONS.contains(&before))
         });
         let number = rest.strip_suffix(']').and_then(|rest| {
             let (before, digits) = rest.rsplit_once('[')?;

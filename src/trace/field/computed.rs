@@ -2,8 +2,7 @@
 
 use serde_json::Value;
 
-use crate::geometry::{Shape, Sphere};
-use crate::math::Ray;
+use super::equations::{EQUATIONS, number};
 use crate::probe::{Event, NONE, RayKind, Term};
 use crate::scene::printable::excerpt;
 use crate::trace::{Outcome, View};
@@ -16,10 +15,7 @@ pub fn computed(view: View, id: u32, name: &str) -> Option<Result<Value, String>
         "rays" => Ok(node.size.into()),
         "lit" => lit(view, id),
         "angle" | "normal_angle" | "n_dot_v" => angle(view, id, first),
-        "sphere" => sphere(view, id).and_then(|sphere| {
-            let ray = Ray::new(node.ray.origin, node.ray.direction);
-            of_sphere(&sphere, &ray, rest)
-        }),
+        surface if EQUATIONS.contains(&surface) => number(view, id, surface, rest),
         "terms" if !rest.is_empty() => term(view, id, rest),
         "absent" if !rest.is_empty() => absent(view, id, rest),
         "order" => Ok(steps(view, id).into()),
@@ -49,41 +45,6 @@ fn angle(view: View, id: u32, name: &str) -> Result<Value, String> {
         "n_dot_v" => cosine.into(),
         "angle" => degrees(cosine).into(),
         _ => degrees(at.normal.dot(at.geometric_normal)).into(),
-    })
-}
-
-/// The sphere that a ray hits.
-fn sphere(view: View, id: u32) -> Result<Sphere, String> {
-    let hit = match view.trace.tree.node(id).outcome {
-        Some(Outcome::Hit(hit) | Outcome::Blocked(hit)) => Some(hit),
-        _ => None,
-    };
-    match hit.map(|hit| &view.world.scene.shapes[hit.primitive as usize]) {
-        Some(Shape::Sphere(sphere)) => Ok(*sphere),
-        _ => Err("`sphere` is a field of rays that hit a sphere".to_owned()),
-    }
-}
-
-/// The quadratic a t^2 + b t + c = 0 of |o + t d - C|^2 = r^2, as the lectures have it.
-fn of_sphere(sphere: &Sphere, ray: &Ray, name: &str) -> Result<Value, String> {
-    let f = ray.origin - sphere.center;
-    let a = ray.direction.length_squared();
-    let b = 2.0 * f.dot(ray.direction);
-    let c = f.length_squared() - sphere.radius * sphere.radius;
-    let roots = || sphere.span(ray).ok_or("the line misses the sphere");
-    Ok(match name {
-        "a" => a.into(),
-        "b" => b.into(),
-        "c" => c.into(),
-        "disc" => (b * b - 4.0 * a * c).into(),
-        "t0" => roots()?[0].into(),
-        "t1" => roots()?[1].into(),
-        _ => {
-            let name = excerpt(name);
-            return Err(format!(
-                "`sphere.{name}` is no field; there are sphere.a, b, c, disc, t0, t1"
-            ));
-        }
     })
 }
 

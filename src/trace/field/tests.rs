@@ -104,6 +104,8 @@ fn what_is_no_field_is_told_with_what_there_is() {
         ("160,100.lit", "is a field of L rays"),
         ("160,100.sphere.b", "rays that hit a sphere"),
         ("240,150.sphere.q", "sphere.a, b, c, disc"),
+        ("240,150.quadric.a", "rays that hit a quadric"),
+        ("60,10.torus.c4", "rays that hit a torus"),
         ("160,100.terms.specular:lamp", "there are diffuse:lamp"),
         ("160,100.terms.diffuse:lamp.x2", "has the factors"),
         ("160,100.absent.Q", "no ray Q is sent"),
@@ -113,6 +115,58 @@ fn what_is_no_field_is_told_with_what_there_is() {
     ] {
         let error = value(text).expect_err(text);
         assert!(error.contains(said), "{text}: {error}");
+    }
+}
+
+/// The equation of what is hit is 0 at the hit, and the hit is one of its crossings.
+#[test]
+fn equations_have_their_roots_where_the_hit_is() {
+    for (name, surface, least) in [("quadrics", "quadric", 40), ("torus", "torus", 40)] {
+        let scene = crate::scene::load(name).expect(name);
+        let settings = scene
+            .settings
+            .with(|s| (s.image.width, s.image.height) = (48, 36));
+        let world = World::new(scene, AccelKind::default());
+        let mut told = 0;
+        for at in (0..48 * 36).map(|i| (i % 48, i / 48)) {
+            let trace = traced(&world, &settings, at);
+            let view = View {
+                world: &world,
+                settings: &settings,
+                trace: &trace,
+            };
+            let all = |name: &str| field(view, &TreePath::default(), name);
+            let number = |name: &str| match all(&format!("{surface}.{name}")) {
+                Ok(value) => value.numbers().first().copied().unwrap_or(f64::NAN),
+                Err(error) => panic!("{name}: {error}"),
+            };
+            if all(&format!("{surface}.t_c")).is_err() || all("gradient").is_err() {
+                continue;
+            }
+            told += 1;
+            let t = all("t").expect("a hit").numbers()[0];
+            let s = t - number("t_c");
+            let (terms, crossings) = if surface == "quadric" {
+                let terms = [number("c"), 2.0 * number("b") * s, number("a") * s * s];
+                (terms.to_vec(), vec![number("t0"), number("t1")])
+            } else {
+                let power = |i: i32| number(&format!("c{i}")) * s.powi(i);
+                let crossings = all("torus.crossings").expect("crossings");
+                ((0..5).map(power).collect(), crossings.numbers().to_vec())
+            };
+            let size: f64 = terms.iter().map(|term| term.abs()).sum();
+            let sum: f64 = terms.iter().sum();
+            assert!(
+                sum.abs() < 1e-12 * size.max(1.0),
+                "{name} {at:?}: {terms:?}"
+            );
+            let near = |crossing: &f64| (crossing - t).abs() < 1e-12 * t;
+            assert!(
+                crossings.iter().any(near),
+                "{name} {at:?}: {t} {crossings:?}"
+            );
+        }
+        assert!(told >= least, "{name}: {told}");
     }
 }
 
