@@ -106,6 +106,22 @@ catalogue! {
             "d_i = -V_i.n for -E_i.V_i",
             "the inside test of triangles takes the triangle's normal where the edge's belongs",
             "object: triangles vanish or grow";
+        CapsForgotten "caps-forgotten":
+            "the wall alone, without base and top",
+            "the caps of cylinders, cones and other quadrics are forgotten",
+            "part base or top: the ray goes on to the wall inside";
+        FirstRootClipped "first-root-clipped":
+            "the nearer root of the wall, or none if it is beyond the ends",
+            "where the nearer root of a quadric lies beyond its ends, the other one is not tried",
+            "object: a wall that is seen through an open end is missed";
+        CsgFirstPart "csg-first-part":
+            "the first crossing of part 0",
+            "of a csg only the first part is met",
+            "part and t where another part cuts it";
+        CsgAllParts "csg-all-parts":
+            "the first crossing of any part",
+            "every surface of every part of a csg is met, inside the whole or not",
+            "part and t where nothing is left";
     }
     Interaction {
         NormalNotTurned "normal-not-turned":
@@ -132,6 +148,14 @@ catalogue! {
             "the geometric normal for the blended one",
             "corner normals are not blended",
             "normal of smooth meshes";
+        NormalRadial "normal-radial":
+            "P - middle for the gradient",
+            "the normal of cylinders, tori and other solids is taken as a sphere's",
+            "normal of solids with curved walls";
+        UvSwapped "uv-swapped":
+            "(v, u) for (u, v)",
+            "texture coordinates are exchanged",
+            "uv";
     }
     Start {
         NoOffset "no-offset":

@@ -10,6 +10,7 @@ mod closest;
 mod illumination;
 mod lobes;
 mod secondary;
+mod solids;
 mod surface;
 #[cfg(test)]
 mod tests;

@@ -17,11 +17,13 @@ use raytree::world::World;
 
 /// Scenes in which nearly all bends show. None has a light with an area: at one pixel their samples, which are drawn by chance, tell no
 /// mistake from another.
-const SCENES: [&str; 4] = [
+const SCENES: [&str; 6] = [
     "lessons/tasks/hits.json",
     "lessons/tasks/light.json",
     "lessons/tasks/glass.json",
     "teapot",
+    "quadrics",
+    "csg",
 ];
 
 fn world(name: &str) -> (World, Settings) {
@@ -123,7 +125,7 @@ fn a_bent_law_is_named_first() {
     let named: u32 = counts.values().map(|[_, named]| named).sum();
     let all = wrong.join("\n");
     assert!(
-        counts.len() >= 48,
+        counts.len() >= 54,
         "{} bends show: {counts:?}",
         counts.len()
     );

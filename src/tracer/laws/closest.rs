@@ -1,5 +1,6 @@
 //! Closest hits gone wrong: a loop over all shapes with an altered test. No accelerator is touched.
 
+use super::solids;
 use crate::geometry::{Hit, Intersection, Plane, Shape, Shear, Triangle};
 use crate::math::{DVec3, Interval, Ray};
 use crate::scene::Bend;
@@ -51,19 +52,23 @@ fn first(bend: Bend, world: &World, ray: &Ray, end: f64) -> Option<Hit> {
 /// t, and the place and part of the shape there.
 type Met = (f64, [f64; 3], u32);
 
-/// The altered test of one shape.
+/// The altered test of one shape, in its own space.
 fn test(bend: Bend, shape: &Shape, ray: &Ray, shear: &Shear, interval: Interval) -> Option<Met> {
     let at = |t: f64| interval.contains(t).then_some((t, [0.0; 3], 0));
     match (bend, shape) {
         (Bend::FarRoot, Shape::Sphere(sphere)) => at(sphere.span(ray)?[1]),
-        (Bend::FarRoot, Shape::Transformed(moved)) => match &moved.shape {
-            Shape::Sphere(sphere) => at(sphere.span(&moved.transform.ray_to_object(ray))?[1]),
-            _ => right(shape, ray, shear, interval),
-        },
         (Bend::PlaneDSign, Shape::Plane(plane)) => at(with_wrong_sign(plane, ray)),
         (Bend::EdgePlaneSlide, Shape::Triangle(triangle)) => {
             let (t, place) = by_slide(triangle, ray)?;
             interval.contains(t).then_some((t, place, 0))
+        }
+        (_, Shape::Body(body)) if solids::exchanges(bend, body) => {
+            let cut = solids::first_crossing(bend, body, ray, interval)?;
+            Some((cut.t, [0.0; 3], cut.part))
+        }
+        (_, Shape::Transformed(moved)) => {
+            let own = moved.transform.ray_to_object(ray);
+            test(bend, &moved.shape, &own, &Shear::new(&own), interval)
         }
         _ => right(shape, ray, shear, interval),
     }

@@ -1,5 +1,7 @@
 //! Hit points, normals and origins gone wrong.
 
+use glam::Vec2Swizzles;
+
 use crate::geometry::{Hit, Shape};
 use crate::math::{DVec3, Ray};
 use crate::scene::{Bend, Scene};
@@ -51,8 +53,34 @@ pub fn interaction(bend: Bend, scene: &Scene, ray: &Ray, hit: &Hit) -> Interacti
                 None => at,
             }
         }
+        Bend::NormalRadial => match radial(shape, at.point) {
+            Some(normal) => {
+                let turned = normal * facing(normal, ray.direction);
+                with_both(turned, turned)
+            }
+            None => at,
+        },
+        Bend::UvSwapped => Interaction {
+            uv: at.uv.yx(),
+            ..at
+        },
         Bend::Flat => with(at.geometric_normal),
         _ => at,
+    }
+}
+
+/// The direction from the middle of a solid with curved walls, as if it were a sphere.
+fn radial(shape: &Shape, point: DVec3) -> Option<DVec3> {
+    match shape {
+        Shape::Body(body) => (point - body.bounds().center()).try_normalize(),
+        Shape::Transformed(moved) => match &moved.shape {
+            Shape::Body(body) => {
+                let middle = moved.transform.point(body.bounds().center());
+                (point - middle).try_normalize()
+            }
+            _ => None,
+        },
+        _ => None,
     }
 }
 
