@@ -7,7 +7,7 @@
 //! both ways see the same triangle at every pixel.
 
 mod projection;
-mod scanline;
+pub(super) mod scanline;
 mod shade;
 mod table;
 
@@ -26,7 +26,7 @@ use crate::probe::NONE;
 use crate::scene::printable::excerpt;
 use crate::scene::{Scene, Settings};
 use crate::tracer::Film;
-use projection::Projection;
+pub(super) use projection::Projection;
 use shade::Shade;
 
 /// How triangles are filled.

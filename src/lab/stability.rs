@@ -8,6 +8,8 @@ mod coplanar;
 mod expansion;
 mod meshes;
 mod optics;
+mod patches;
+mod perspective;
 mod picture;
 mod pinhole;
 mod polygons;
@@ -60,7 +62,7 @@ impl Outcome {
 }
 
 /// All cases.
-pub const CASES: [Case; 11] = [
+pub const CASES: [Case; 13] = [
     surfaces::SELF_HITS,
     surfaces::PLATE_GAP,
     meshes::SHARED_EDGES,
@@ -71,6 +73,8 @@ pub const CASES: [Case; 11] = [
     spheres::NEAR_SPHERE,
     solids::FAR_CYLINDER,
     solids::FAR_TORUS,
+    patches::PATCH_OUTLINE,
+    perspective::ROW_WEIGHTS,
     optics::CRITICAL_ANGLE,
 ];
 

@@ -36,7 +36,7 @@ fn cases() -> Vec<String> {
 #[test]
 fn a_hard_case_is_drawn_with_each_arithmetic_side_by_side() {
     let names = cases();
-    assert_eq!(names.len(), 11);
+    assert_eq!(names.len(), 13);
     for case in &names {
         let ran = run(&["stability", case]);
         assert_eq!((ran.code, ran.err.as_str()), (0, ""), "{case}");
