@@ -68,3 +68,29 @@ fn roots(body: &Body, ray: &Ray) -> Option<[f64; 2]> {
     };
     Some([x.min(y), x.max(y)])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Quadric;
+    use crate::math::DVec3;
+
+    /// A ray that goes in by the top at t = 2 and comes out of the wall at t = 3; the wall's line meets it at t = -1 as well, above the top.
+    #[test]
+    fn caps_and_roots_known_on_paper() {
+        let closed = Quadric::cylinder(1.0, 1.0);
+        let ray = Ray::new(DVec3::new(-0.5, 3.0, 0.0), DVec3::new(0.5, -1.0, 0.0));
+        let first = |bend, quadric| {
+            let body = Body::Quadric(quadric);
+            assert!(exchanges(bend, &body));
+            let cut = first_crossing(bend, &body, &ray, Interval::FORWARD)?;
+            Some((cut.t, cut.part))
+        };
+        let top = 2;
+        assert_eq!(first(Bend::CapsForgotten, closed), Some((3.0, 0)));
+        assert_eq!(first(Bend::FirstRootClipped, closed), Some((2.0, top)));
+        assert_eq!(first(Bend::FirstRootClipped, closed.open()), None);
+        assert_eq!(first(Bend::CapsForgotten, closed.open()), Some((3.0, 0)));
+        assert!(!exchanges(Bend::FarRoot, &Body::Quadric(closed)));
+    }
+}
