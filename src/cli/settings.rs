@@ -220,7 +220,7 @@ impl SceneArgs {
             let squares = squares_that_fit(&scene, wanted);
             if squares < wanted {
                 notices.note(format!(
-                    "--patch-test triangles:{squares} is what there is room for: {MAX_PRIMITIVES} shapes are the most"
+                    "there is only room for --patch-test triangles:{squares}: a scene has at most {MAX_PRIMITIVES} shapes"
                 ));
             }
         }

@@ -46,8 +46,8 @@ impl RaySearch {
 
     /// Searches until a ray is found, all were looked at, or the time is over: then none.
     ///
-    /// Rays stand in the order in which they were sent. What is found may be that a ray is not sent, which the log tells behind the
-    /// rays that its hit sent before: so a ray further on may have the earlier event.
+    /// Rays stand in the order in which they were sent. That a ray is *not* sent is logged after the rays that its hit has sent, so a
+    /// later ray may have the earlier event.
     pub fn go_on(&mut self, session: &Session, until: Option<Instant>) -> Option<RayFound> {
         let nodes = &session.tree().nodes;
         while self.looked_at < nodes.len() {

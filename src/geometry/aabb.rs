@@ -100,7 +100,8 @@ impl Aabb {
         })
     }
 
-    /// True if the ray's line misses the ball around the box by far.
+    /// True if the ray's line misses the ball around the box by far. (The middle is rounded by a unit of its coordinates: the box must
+    /// be wider than what it holds by that, as `bounds` of all shapes are.)
     #[inline]
     pub fn is_passed_by_far(&self, ray: &Ray) -> bool {
         let f = ray.origin - self.center();

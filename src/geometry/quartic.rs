@@ -50,6 +50,12 @@ impl QuarticSteps {
 }
 
 impl Quartic {
+    /// The box itself, which holds all of the solid, a little wider.
+    pub fn bounds(&self) -> Aabb {
+        let Aabb { min, max } = self.bounds;
+        self.bounds.padded(gamma(16) * min.abs().max(max.abs()))
+    }
+
     /// The first crossing inside the interval.
     pub fn intersect(&self, ray: &Ray, interval: Interval) -> Intersection {
         self.spans(ray).first(interval)

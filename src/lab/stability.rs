@@ -1,7 +1,7 @@
 //! Hard cases, measured: what common arithmetic makes of them, and what ours does.
 //!
-//! Each case is data and a function that counts how often an arithmetic is wrong. What is right is known on paper or
-//! from `expansion`, which is exact; nothing is quoted. The cases are the same in every run. A picture of a case is traced
+//! Each case is data and a function that counts how often an arithmetic is wrong. What is right is known on paper,
+//! from `expansion`, which is exact, or from the tracer's own ray; nothing is quoted. The cases are the same in every run. A picture of a case is traced
 //! with the same functions.
 
 mod coplanar;

@@ -26,9 +26,14 @@ pub fn scene_path(folder: &str, scene: &str) -> Result<String, String> {
     Ok(scene.to_owned())
 }
 
+/// The scene of a task by the name that the task calls it, without the effects that are left out.
+pub fn scene_name(label: &str) -> &str {
+    label.split(" without ").next().unwrap_or(label)
+}
+
 /// The files that a student is given of a scene of a task: as it is in the course, and flat. `label` is what the task calls it.
 pub fn given_files(label: &str) -> [String; 2] {
-    let name = label.split(" without ").next().unwrap_or(label);
+    let name = scene_name(label);
     let short = name.rsplit('/').next().unwrap_or(name);
     let flat = format!("{}.flat.json", short.trim_end_matches(".json"));
     [short.to_owned(), flat]

@@ -7,7 +7,7 @@ use super::chapter::Chapter;
 use super::course::Course;
 use super::exercise::ExerciseKind;
 use super::files::is_scene_file;
-use super::names::{given_files, scene_path};
+use super::names::{given_files, scene_name, scene_path};
 use crate::scene::flat::write_json;
 use crate::tracer::thread_pool;
 
@@ -66,11 +66,7 @@ fn of_task(course: &Course, task: &str, folder: &str) -> Result<Vec<(String, Vec
     let from = task.rsplit_once('/').map_or("", |(folder, _)| folder);
     let loaded = thread_pool::install(0, || load_task(course, task))?;
     for scene in &loaded.scenes {
-        let name = scene
-            .label
-            .split(" without ")
-            .next()
-            .unwrap_or(&scene.label);
+        let name = scene_name(&scene.label);
         let path = scene_path(from, name)?;
         let [short, flat_name] = given_files(&scene.label);
         if is_scene_file(name) {

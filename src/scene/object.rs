@@ -44,8 +44,8 @@ pub struct VertexData {
     pub uv_indices: Vec<[u32; 3]>,
     /// Texture coordinates, shared likewise.
     pub uvs: Arc<Vec<DVec2>>,
-    /// True if the normals are those of a curved surface that the triangles stand for. They are no effect of a mesh then, which can
-    /// be left out.
+    /// True if the normals are those of a curved surface that the triangles stand for. Such a mesh does not
+    /// call for the effect `smooth`, and to leave that out does not make it flat.
     pub of_surface: bool,
 }
 

@@ -13,7 +13,10 @@ use crate::math::{DVec2, DVec3};
 /// How many squares along u and v each leaf of a patch has if so many are wanted: no more than a scene has room for.
 pub fn squares_that_fit(scene: &Scene, wanted: u32) -> u32 {
     let leaves = scene.shapes.iter().filter(|shape| is_patch(shape)).count();
-    let room = MAX_PRIMITIVES.saturating_sub(scene.shapes.len()) / (2 * leaves).max(1);
+    if leaves == 0 {
+        return wanted;
+    }
+    let room = MAX_PRIMITIVES.saturating_sub(scene.shapes.len()) / (2 * leaves);
     wanted.min((room as u32).isqrt()).max(1)
 }
 

@@ -120,7 +120,7 @@ impl Body {
             Self::Quadric(quadric) => quadric.bounds(),
             Self::BoxedQuadric(quadric) => quadric.bounds(),
             Self::Torus(torus) => torus.bounds(),
-            Self::Quartic(quartic) => quartic.bounds,
+            Self::Quartic(quartic) => quartic.bounds(),
             Self::Csg(csg) => csg.bounds(),
         }
     }

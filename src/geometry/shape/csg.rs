@@ -182,6 +182,20 @@ impl Csg {
         told
     }
 
+    /// The cuts of the ray's line with all leaves, by t, whether they matter to the whole or not. Their parts are those of the whole.
+    pub fn cuts_of_all_leaves(&self, ray: &Ray) -> Vec<Cut> {
+        let mut all = Vec::new();
+        for (leaf, placed) in (0..).zip(&self.leaves) {
+            let spans = placed.solid.spans(ray);
+            all.extend(spans.cuts().map(|(cut, _)| Cut {
+                t: cut.t,
+                part: Self::part(leaf, cut.part),
+            }));
+        }
+        all.sort_by(|a, b| a.t.total_cmp(&b.t));
+        all
+    }
+
     /// Whether the ray goes into the solid at `t`, as found by [`Csg::intersect`]; `None` if there is no crossing.
     pub fn enters(&self, ray: &Ray, t: f64) -> Option<bool> {
         self.spans(ray).enters(t)

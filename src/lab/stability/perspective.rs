@@ -83,7 +83,7 @@ fn row_weights() -> Vec<Outcome> {
     blends().map(outcome).to_vec()
 }
 
-/// A square of the floor, 8 x 8 tiles, which starts at the eye's feet. (No middle of a pixel sees the edge of a tile, where rounding
+/// A square of the floor, 8 x 8 tiles, which starts 1.1 m in front of the eye, 1 m below it. (No middle of a pixel sees the edge of a tile, where rounding
 /// decides.)
 const FLOOR: [DVec3; 4] = [
     DVec3::new(-4.037, -1.0, -1.1),
@@ -92,7 +92,7 @@ const FLOOR: [DVec3; 4] = [
     DVec3::new(-4.037, -1.0, -9.1),
 ];
 
-/// The row in which a pixel's middle lies is drawn as a row of a picture of its own, which has the height of the window.
+/// Each pixel of the window is filled as a pixel of the screen, by the span of its row.
 fn floor(size: (u32, u32)) -> Vec<Panel> {
     let camera = camera();
     let [a, b, c, d] = FLOOR;

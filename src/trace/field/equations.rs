@@ -1,7 +1,7 @@
 //! Equations of the surface that a ray hits, number by number: `sphere.b`, `quadric.disc`, `torus.c4`.
 //!
-//! A sphere's is the one of the lectures. The others are those of this tracer's tests, in the shape's own frame, with t counted from
-//! where the ray comes closest to the middle (`t_c`): see [`Quadric::arithmetic`](crate::geometry::Quadric::arithmetic) and
+//! A sphere's is the one of the lectures. The others are those of this tracer's tests, in the shape's own frame, where the ray's origin
+//! is moved to t_c: see [`Quadric::arithmetic`](crate::geometry::Quadric::arithmetic) and
 //! [`Torus::arithmetic`](crate::geometry::Torus::arithmetic).
 
 use serde_json::Value;
@@ -25,7 +25,7 @@ pub fn number(view: View, id: u32, surface: &str, name: &str) -> Result<Value, S
     };
     let shape = hit.map(|hit| view.world.scene.shapes[hit.primitive as usize].plain());
     let numbers = match (surface, shape) {
-        ("sphere", Some(Shape::Sphere(sphere))) => of_sphere(sphere, &ray)?,
+        ("sphere", Some(Shape::Sphere(sphere))) => of_sphere(sphere, &ray),
         (_, Some(shape)) => of_body(surface, shape, &ray)?,
         (_, None) => return Err(not_one(surface)),
     };
@@ -52,20 +52,22 @@ fn not_one(surface: &str) -> String {
 type Numbers = Vec<(&'static str, Value)>;
 
 /// The quadratic a t^2 + b t + c = 0 of |o + t d - C|^2 = r^2, as the lectures have it.
-fn of_sphere(sphere: &Sphere, ray: &Ray) -> Result<Numbers, String> {
+/// t0 and t1 are null if the line misses.
+fn of_sphere(sphere: &Sphere, ray: &Ray) -> Numbers {
     let f = ray.origin - sphere.center;
     let a = ray.direction.length_squared();
     let b = 2.0 * f.dot(ray.direction);
     let c = f.length_squared() - sphere.radius * sphere.radius;
-    let [t0, t1] = sphere.span(ray).ok_or("the line misses the sphere")?;
-    Ok(vec![
+    let span = sphere.span(ray);
+    let t = |i: usize| span.map_or(Value::Null, |span| span[i].into());
+    vec![
         ("a", a.into()),
         ("b", b.into()),
         ("c", c.into()),
         ("disc", (b * b - 4.0 * a * c).into()),
-        ("t0", t0.into()),
-        ("t1", t1.into()),
-    ])
+        ("t0", t(0)),
+        ("t1", t(1)),
+    ]
 }
 
 /// The equation of a body in its own frame.
@@ -91,9 +93,13 @@ fn of_body(surface: &str, shape: &Shape, ray: &Ray) -> Result<Numbers, String> {
     }
 }
 
-/// A t^2 + 2 B t + C = 0, t from t_c on; t0 and t1 are counted from the ray's origin.
+/// A s^2 + 2 B s + C = 0, s = t - t_c; t0 and t1 are its roots as t on the ray, null if there are none.
 fn of_quadric(steps: &QuadricSteps) -> Numbers {
     let [x, y] = steps.roots;
+    let root = |t: f64| match steps.discriminant {
+        d if d > 0.0 => t.into(),
+        _ => Value::Null,
+    };
     vec![
         ("a", steps.a.into()),
         ("b", steps.b.into()),
@@ -101,12 +107,12 @@ fn of_quadric(steps: &QuadricSteps) -> Numbers {
         ("disc", steps.discriminant.into()),
         ("q", steps.q.into()),
         ("t_c", steps.t_c.into()),
-        ("t0", x.min(y).into()),
-        ("t1", x.max(y).into()),
+        ("t0", root(x.min(y))),
+        ("t1", root(x.max(y))),
     ]
 }
 
-/// c4 s^4 + c3 s^3 + c2 s^2 + c1 s + c0 = 0, s = t - t_c; `crossings` are the t of those in the surface's reach.
+/// c4 s^4 + c3 s^3 + c2 s^2 + c1 s + c0 = 0, s = t - t_c; `crossings` are the roots in the surface's reach, as t on the ray.
 fn of_quartic([c0, c1, c2, c3, c4]: [f64; 5], t_c: f64, pieces: &Pieces) -> Numbers {
     let found = pieces.iter().filter_map(|piece| piece.crossing);
     let crossings: Vec<f64> = found.map(|c| t_c + c.polished.root).collect();

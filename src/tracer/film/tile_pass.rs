@@ -127,19 +127,17 @@ fn run_all<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator]) {
 /// Takes the samples from number `first` on, one pixel's ray after the other.
 fn run_each<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator], first: u32) {
     let (settings, camera) = (tracer.settings, &tracer.world.scene.camera);
+    let mut open: Vec<&mut PixelEstimator> = pixels.iter_mut().collect();
     for index in first.. {
-        let samples = CameraSamples::new(settings, index);
-        let mut any_open = false;
-        for pixel in pixels.iter_mut() {
-            if pixel.is_open(settings) {
-                any_open = true;
-                let sample = samples.of(pixel.at());
-                let ray = camera.ray(sample.film, settings.size());
-                pixel.add(tracer, (&sample, ray), None);
-            }
-        }
-        if !any_open {
+        open.retain_mut(|pixel| pixel.is_open(settings));
+        if open.is_empty() {
             break;
+        }
+        let samples = CameraSamples::new(settings, index);
+        for pixel in &mut open {
+            let sample = samples.of(pixel.at());
+            let ray = camera.ray(sample.film, settings.size());
+            pixel.add(tracer, (&sample, ray), None);
         }
     }
 }

@@ -52,7 +52,7 @@ fn first(bend: Bend, world: &World, ray: &Ray, end: f64) -> Option<Hit> {
 /// t, and the place and part of the shape there.
 type Met = (f64, [f64; 3], u32);
 
-/// The altered test of one shape, in its own space.
+/// The altered test of one shape; of a moved one in its own space.
 fn test(bend: Bend, shape: &Shape, ray: &Ray, shear: &Shear, interval: Interval) -> Option<Met> {
     let at = |t: f64| interval.contains(t).then_some((t, [0.0; 3], 0));
     match (bend, shape) {

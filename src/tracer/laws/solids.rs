@@ -1,6 +1,6 @@
 //! Tests of solids gone wrong: caps that are forgotten, a root that is given up too early, parts of a csg that are not combined.
 
-use crate::geometry::{Body, Cut, Intersection};
+use crate::geometry::{Body, Csg, Cut, Intersection};
 use crate::math::{Interval, Ray};
 use crate::scene::Bend;
 
@@ -25,29 +25,23 @@ pub fn first_crossing(bend: Bend, body: &Body, ray: &Ray, interval: Interval) ->
     match (bend, body) {
         (Bend::CapsForgotten, _) => first(cuts(body, ray), &is_wall),
         (Bend::FirstRootClipped, _) => {
-            let [t0, t1] = roots(body, ray)?;
-            let is_nearer = |t: f64| (t - t0).abs() < (t - t1).abs();
+            let roots = roots(body, ray)?;
+            let nearer = roots.into_iter().find(|t| interval.contains(*t));
+            let is_nearer = |t: f64| {
+                let off = |root: f64| (t - root).abs();
+                nearer.is_some_and(|near| roots.iter().all(|root| off(near) <= off(*root)))
+            };
             first(cuts(body, ray), &|cut| !is_wall(cut) || is_nearer(cut.t))
         }
-        (_, Body::Csg(csg)) => {
-            let all = csg.cuts(ray).cuts.into_iter();
-            let met = all.filter(|cut| cut.leaf == 0 || bend == Bend::CsgAllParts);
-            let cuts = met.map(|cut| Cut {
-                t: cut.t,
-                part: cut.part,
-            });
-            first(cuts.collect(), &|_| true)
-        }
+        (_, Body::Csg(csg)) => first(csg.cuts_of_all_leaves(ray), &|cut| {
+            bend == Bend::CsgAllParts || Csg::leaf_of(cut.part) == 0
+        }),
         _ => None,
     }
 }
 
 /// The cuts of the ray's line with the walls and the faces of a body, by t, whether it is closed or not.
 fn cuts(body: &Body, ray: &Ray) -> Vec<Cut> {
-    if body.is_solid() {
-        return body.spans(ray).cuts().map(|(cut, _)| cut).collect();
-    }
-    // Of an open wall its own test tells them, one after the other.
     let mut found = Vec::new();
     let mut from = f64::NEG_INFINITY;
     while let Intersection::Hit { t, part, .. } =
@@ -59,7 +53,7 @@ fn cuts(body: &Body, ray: &Ray) -> Vec<Cut> {
     found
 }
 
-/// The nearer and the farther root of the endless surface.
+/// The roots of the endless surface, by t.
 fn roots(body: &Body, ray: &Ray) -> Option<[f64; 2]> {
     let [x, y] = match body {
         Body::Quadric(quadric) => quadric.arithmetic(ray).roots,
@@ -75,22 +69,33 @@ mod tests {
     use crate::geometry::Quadric;
     use crate::math::DVec3;
 
-    /// A ray that goes in by the top at t = 2 and comes out of the wall at t = 3; the wall's line meets it at t = -1 as well, above the top.
+    fn first(bend: Bend, quadric: Quadric, ray: Ray) -> Option<(f64, u32)> {
+        let body = Body::Quadric(quadric);
+        assert!(exchanges(bend, &body));
+        let cut = first_crossing(bend, &body, &ray, Interval::FORWARD)?;
+        Some((cut.t, cut.part))
+    }
+
+    /// The line meets the endless wall at t = 3, above the top, goes in by the top at t = 6 and comes out of the wall at t = 7.
     #[test]
     fn caps_and_roots_known_on_paper() {
         let closed = Quadric::cylinder(1.0, 1.0);
-        let ray = Ray::new(DVec3::new(-0.5, 3.0, 0.0), DVec3::new(0.5, -1.0, 0.0));
-        let first = |bend, quadric| {
-            let body = Body::Quadric(quadric);
-            assert!(exchanges(bend, &body));
-            let cut = first_crossing(bend, &body, &ray, Interval::FORWARD)?;
-            Some((cut.t, cut.part))
-        };
+        let ray = Ray::new(DVec3::new(-2.5, 7.0, 0.0), DVec3::new(0.5, -1.0, 0.0));
         let top = 2;
-        assert_eq!(first(Bend::CapsForgotten, closed), Some((3.0, 0)));
-        assert_eq!(first(Bend::FirstRootClipped, closed), Some((2.0, top)));
-        assert_eq!(first(Bend::FirstRootClipped, closed.open()), None);
-        assert_eq!(first(Bend::CapsForgotten, closed.open()), Some((3.0, 0)));
+        assert_eq!(first(Bend::CapsForgotten, closed, ray), Some((7.0, 0)));
+        assert_eq!(first(Bend::FirstRootClipped, closed, ray), Some((6.0, top)));
+        assert_eq!(first(Bend::FirstRootClipped, closed.open(), ray), None);
+        assert_eq!(
+            first(Bend::CapsForgotten, closed.open(), ray),
+            Some((7.0, 0))
+        );
         assert!(!exchanges(Bend::FarRoot, &Body::Quadric(closed)));
+    }
+
+    #[test]
+    fn from_inside_the_root_in_front_is_the_nearer_one() {
+        let ray = Ray::new(DVec3::ZERO, DVec3::X);
+        let found = first(Bend::FirstRootClipped, Quadric::cylinder(1.0, 1.0), ray);
+        assert_eq!(found, Some((1.0, 0)));
     }
 }

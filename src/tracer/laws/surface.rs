@@ -53,12 +53,13 @@ pub fn interaction(bend: Bend, scene: &Scene, ray: &Ray, hit: &Hit) -> Interacti
                 None => at,
             }
         }
+        // Flat parts have no gradient, and no other normal.
         Bend::NormalRadial => match radial(shape, at.point) {
-            Some(normal) => {
+            Some(normal) if shape.gradient(at.point, hit.part).is_some() => {
                 let turned = normal * facing(normal, ray.direction);
                 with_both(turned, turned)
             }
-            None => at,
+            _ => at,
         },
         Bend::UvSwapped => Interaction {
             uv: at.uv.yx(),
