@@ -155,7 +155,10 @@ impl RayPacket {
         Some(dead)
     }
 
-    /// Makes the rays of a mask count for nothing: each becomes a copy of another that ends before it starts.
+    /// Makes the rays of a mask count for nothing: each becomes a copy of another that ends before it starts. (Never inlined: the
+    /// few packets with such rays must not decide how all others are compiled.)
+    #[cold]
+    #[inline(never)]
     fn deactivate(&mut self, dead: u32) {
         let alive = (!dead).trailing_zeros() as usize % PACKET_SIZE;
         for i in (0..PACKET_SIZE).filter(|i| dead >> i & 1 == 1) {
