@@ -1,8 +1,8 @@
 //! Hard cases, measured: what common arithmetic makes of them, and what ours does.
 //!
-//! Each case is data and a function that counts how often an arithmetic is wrong. What is right is known on paper,
-//! from `expansion`, which is exact, or from the tracer's own ray; nothing is quoted. The cases are the same in every run. A picture of a case is traced
-//! with the same functions.
+//! Each case is data and a function that counts how often an arithmetic is wrong. What is right is known on paper, from `expansion`,
+//! which is exact, or from the tracer's own ray; nothing is quoted. The cases are the same in every run. A picture of a case is
+//! traced with the same functions.
 
 mod coplanar;
 mod expansion;
@@ -19,6 +19,8 @@ mod surfaces;
 pub mod table;
 
 pub use picture::{Panel, Picture};
+
+use std::fmt;
 
 use crate::geometry::{Arithmetic, Naive, Shape};
 use crate::math::DVec3;
@@ -100,6 +102,15 @@ fn under(arithmetic: Arithmetic, shape: Shape) -> Shape {
         return shape;
     }
     Shape::Naive(Box::new(Naive { shape, arithmetic }))
+}
+
+/// The name of an arithmetic: `ours`, or the flag that asks for it.
+fn told(ours: bool, flag: &str, value: impl fmt::Display) -> String {
+    if ours {
+        "ours".to_owned()
+    } else {
+        format!("--{flag} {value}")
+    }
 }
 
 /// So many of so many, in per cent.

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use super::picture::{Panel, Picture, Seen, panel};
 use super::polygons::t;
-use super::{Case, Chance, Outcome, percent};
+use super::{Case, Chance, Outcome, percent, told};
 use crate::geometry::{BezierSurface, PatchMethod, Shape};
 use crate::math::{DVec3, Ray};
 use crate::scene::triangles_of;
@@ -26,18 +26,16 @@ const REACH: f64 = 2.0;
 /// Angles from the top of the arch at which rays graze it, at most. The arch ends at 45 degrees.
 const WIDEST: f64 = 0.5;
 
-fn methods() -> [PatchMethod; 3] {
-    [
+fn methods() -> [(String, bool, PatchMethod); 3] {
+    let all = [
         PatchMethod::Triangles(4),
         PatchMethod::Triangles(16),
         PatchMethod::Exact,
-    ]
-}
-
-fn told(method: PatchMethod) -> (String, bool) {
-    let ours = method == PatchMethod::Exact;
-    let name = format!("--patch-test {method}");
-    (if ours { "ours".to_owned() } else { name }, ours)
+    ];
+    all.map(|method| {
+        let ours = method == PatchMethod::Exact;
+        (told(ours, "patch-test", method), ours, method)
+    })
 }
 
 /// A quarter of the cylinder x^2 + y^2 = 1 with its top at x = 0, 2 m long along z: an arc of a circle is a rational curve of degree 2.
@@ -78,8 +76,7 @@ fn closest(shapes: &[Shape], ray: &Ray) -> Option<f64> {
 /// What is right follows from the circle: half of the chord at depth d is sqrt(2 d - d^2).
 fn patch_outline() -> Vec<Outcome> {
     const RAYS: usize = 2000;
-    let outcome = |method: PatchMethod| {
-        let (arithmetic, ours) = told(method);
+    let outcome = |(arithmetic, ours, method): (String, bool, PatchMethod)| {
         let shapes = arch(method);
         let mut chance = Chance(41);
         let wrong = (0..RAYS).filter(|_| {
@@ -102,8 +99,7 @@ fn patch_outline() -> Vec<Outcome> {
 
 /// To the right along the outline, upwards away from the arch: from 2 mm inside of the outline to 1 mm outside.
 fn outline(size: (u32, u32)) -> Vec<Panel> {
-    let of = |method: PatchMethod| {
-        let (name, ours) = told(method);
+    let of = |(name, ours, method): (String, bool, PatchMethod)| {
         let shapes = arch(method);
         panel((&name, ours), size, |place| {
             let above = 1.5e-3 * place.y - 0.5e-3;

@@ -3,7 +3,7 @@
 use super::expansion::Expansion;
 use super::picture::{Panel, Picture, Seen, panel};
 use super::pinhole::Eye;
-use super::{Case, Chance, Outcome, percent, under};
+use super::{Case, Chance, Outcome, percent, told, under};
 use crate::geometry::{
     Arithmetic, Body, Intersection, Quadratic, Quadric, QuarticMethod, Shape, Shear, Torus,
 };
@@ -71,14 +71,6 @@ fn quartics() -> [(String, bool, Arithmetic); 3] {
         };
         (told(ours, "quartic", quartic.name()), ours, arithmetic)
     })
-}
-
-fn told(ours: bool, flag: &str, value: &str) -> String {
-    if ours {
-        "ours".to_owned()
-    } else {
-        format!("--{flag} {value}")
-    }
 }
 
 fn meet(shape: &Shape, ray: &Ray) -> Option<f64> {

@@ -3,7 +3,7 @@
 use super::meshes::ball;
 use super::picture::{Panel, Picture, Seen, panel};
 use super::pinhole::Eye;
-use super::{Case, Chance, Outcome, percent, under};
+use super::{Case, Chance, Outcome, percent, told, under};
 use crate::geometry::{Arithmetic, Intersection, Offset, Shape, Shear, Triangle};
 use crate::math::rounding::offset_origin;
 use crate::math::{DVec3, Interval, Ray};
@@ -43,16 +43,11 @@ fn offsets() -> [(String, bool, Arithmetic); 4] {
     ]
     .map(|offset| {
         let ours = offset == Offset::Bounded;
-        let name = if ours {
-            "ours".to_owned()
-        } else {
-            format!("--offset {offset}")
-        };
         let choice = Arithmetic {
             offset,
             ..Arithmetic::default()
         };
-        (name, ours, choice)
+        (told(ours, "offset", offset), ours, choice)
     })
 }
 

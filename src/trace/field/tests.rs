@@ -118,30 +118,39 @@ fn what_is_no_field_is_told_with_what_there_is() {
     }
 }
 
+/// Calls `check` with the fields of the eye ray of each pixel of a small picture.
+fn for_each_pixel(
+    scene: &str,
+    mut check: impl FnMut((u32, u32), &dyn Fn(&str) -> Result<FieldValue, String>),
+) {
+    let scene = crate::scene::load(scene).expect(scene);
+    let settings = scene
+        .settings
+        .with(|s| (s.image.width, s.image.height) = (48, 36));
+    let world = World::new(scene, AccelKind::default());
+    for at in (0..48 * 36).map(|i| (i % 48, i / 48)) {
+        let trace = traced(&world, &settings, at);
+        let view = View {
+            world: &world,
+            settings: &settings,
+            trace: &trace,
+        };
+        check(at, &|name| field(view, &TreePath::default(), name));
+    }
+}
+
 /// The equation of what is hit is 0 at the hit, and the hit is one of its crossings.
 #[test]
 fn equations_have_their_roots_where_the_hit_is() {
     for (name, surface, least) in [("quadrics", "quadric", 40), ("torus", "torus", 40)] {
-        let scene = crate::scene::load(name).expect(name);
-        let settings = scene
-            .settings
-            .with(|s| (s.image.width, s.image.height) = (48, 36));
-        let world = World::new(scene, AccelKind::default());
         let mut told = 0;
-        for at in (0..48 * 36).map(|i| (i % 48, i / 48)) {
-            let trace = traced(&world, &settings, at);
-            let view = View {
-                world: &world,
-                settings: &settings,
-                trace: &trace,
-            };
-            let all = |name: &str| field(view, &TreePath::default(), name);
+        for_each_pixel(name, |at, all| {
             let number = |name: &str| match all(&format!("{surface}.{name}")) {
                 Ok(value) => value.numbers().first().copied().unwrap_or(f64::NAN),
                 Err(error) => panic!("{name}: {error}"),
             };
             if all(&format!("{surface}.t_c")).is_err() || all("gradient").is_err() {
-                continue;
+                return;
             }
             told += 1;
             let t = all("t").expect("a hit").numbers()[0];
@@ -165,7 +174,7 @@ fn equations_have_their_roots_where_the_hit_is() {
                 crossings.iter().any(near),
                 "{name} {at:?}: {t} {crossings:?}"
             );
-        }
+        });
         assert!(told >= least, "{name}: {told}");
     }
 }
@@ -174,26 +183,14 @@ fn equations_have_their_roots_where_the_hit_is() {
 #[test]
 fn a_gradient_is_along_the_normal_and_points_outwards() {
     for (name, least) in [("quadrics", 60), ("torus", 60), ("csg", 20)] {
-        let scene = crate::scene::load(name).expect(name);
-        let settings = scene
-            .settings
-            .with(|s| (s.image.width, s.image.height) = (48, 36));
-        let world = World::new(scene, AccelKind::default());
         let (mut curved, mut flat) = (0, 0);
-        for at in (0..48 * 36).map(|i| (i % 48, i / 48)) {
-            let trace = traced(&world, &settings, at);
-            let view = View {
-                world: &world,
-                settings: &settings,
-                trace: &trace,
-            };
-            let of = |name: &str| field(view, &TreePath::default(), name);
+        for_each_pixel(name, |at, of| {
             let Ok(side) = of("side") else {
-                continue;
+                return;
             };
             let Ok(FieldValue::Numbers(gradient)) = of("gradient") else {
                 flat += 1;
-                continue;
+                return;
             };
             curved += 1;
             let normal = of("geometric_normal").expect("a normal");
@@ -207,7 +204,7 @@ fn a_gradient_is_along_the_normal_and_points_outwards() {
                 let off = g / length - to_viewer * n;
                 assert!(off.abs() < 1e-9, "{name} {at:?}: {gradient:?} {normal:?}");
             }
-        }
+        });
         assert!(curved >= least && flat > 0, "{name}: {curved} {flat}");
     }
 }

@@ -25,7 +25,7 @@ pub fn camera_sample(settings: &Settings, pixel: (u32, u32), index: u32) -> Came
     PlaceInPixel::new(settings, pixel, index).of(pixel)
 }
 
-/// Sample number `index` of whatever pixels are asked for. A grid is the same in all of them: its place is computed once.
+/// Samples of one number, one in each pixel that is asked for. A grid is the same in all pixels: its place is computed once.
 pub struct CameraSamples<'a> {
     settings: &'a Settings,
     index: u32,
@@ -33,7 +33,7 @@ pub struct CameraSamples<'a> {
 }
 
 impl<'a> CameraSamples<'a> {
-    /// Sample number `index`.
+    /// The samples number `index`.
     pub fn new(settings: &'a Settings, index: u32) -> Self {
         let is_grid = settings.pixel.sampler == Sampler::Grid;
         Self {
@@ -43,7 +43,7 @@ impl<'a> CameraSamples<'a> {
         }
     }
 
-    /// That of a pixel.
+    /// The sample of a pixel.
     #[inline]
     pub fn of(&self, pixel: (u32, u32)) -> CameraSample {
         let place = self.shared;

@@ -330,3 +330,17 @@ fn operations_may_be_32_deep() {
     assert_eq!(&found[..4], [1.25, 2.25, 3.25, 4.25]);
     assert_eq!(&found[32..], [33.25, 34.75]);
 }
+
+/// A line that misses what is cut from need not ask the cutter; who asks for all cuts hears of it all the same.
+#[test]
+fn all_cuts_are_those_of_leaves_that_do_not_matter_as_well() {
+    let solid = csg(op(
+        Difference,
+        [ball((0.0, 0.0, 0.0), 1.0), ball((0.0, 3.0, 0.0), 1.0)],
+    ));
+    let ray = Ray::new(DVec3::new(-5.0, 3.0, 0.0), DVec3::X);
+    assert_eq!(solid.cuts(&ray).cuts, []);
+    let all = solid.cuts_of_all_leaves(&ray);
+    let told: Vec<(f64, u32)> = all.iter().map(|c| (c.t, Csg::leaf_of(c.part))).collect();
+    assert_eq!(told, [(4.0, 1), (6.0, 1)]);
+}
