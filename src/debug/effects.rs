@@ -17,10 +17,15 @@ pub fn switched(effects: Effects, finding: &Finding) -> Result<Effects, String> 
     })
 }
 
-/// Arithmetic other than the default, and effects that the scene calls for and that are left out.
+/// Laws that are bent, arithmetic other than the default, and effects that the scene calls for and that are left out.
 pub fn deviations(settings: &Settings, findings: &[Finding]) -> Option<String> {
+    let bends = settings.bends;
+    let mut told: Vec<_> = (!bends.is_empty())
+        .then(|| format!("bend {bends}"))
+        .into_iter()
+        .collect();
     let list = settings.arithmetic.deviations().into_iter();
-    let mut told: Vec<_> = list.map(|d| format!("{} {}", d.choice, d.value)).collect();
+    told.extend(list.map(|d| format!("{} {}", d.choice, d.value)));
     let left_out: Vec<&str> = findings
         .iter()
         .filter(|f| f.on && !settings.effects.has(f.effect))

@@ -12,7 +12,7 @@ use super::{
 use crate::lab::show::ShownValue;
 use crate::probe::{Event, RayKind, Silent};
 use crate::scene::effects::findings;
-use crate::scene::{self, Effect, Settings};
+use crate::scene::{self, Bend, Effect, Settings};
 use crate::trace::Outcome;
 use crate::tracer::pixel;
 use crate::world::World;
@@ -191,8 +191,13 @@ fn an_effect_is_switched_there_and_back() {
         None
     );
     settings.effects = settings.effects.without(Effect::Shadows);
-    let told = effects::deviations(&settings, &findings(&world.scene));
-    assert_eq!(told.as_deref(), Some("without shadows"));
+    let told = |settings: &Settings| effects::deviations(settings, &findings(&world.scene));
+    assert_eq!(told(&settings).as_deref(), Some("without shadows"));
+    let bent = settings.with(|s| s.bends = Bend::FarRoot.into());
+    assert_eq!(
+        told(&bent).as_deref(),
+        Some("bend far-root, without shadows")
+    );
     let command = crate::scene::trace_command("soft-shadow", &world.scene, &settings, (3, 4));
     let end = "--size 64x48 --pixel 3,4 --without shadows";
     assert_eq!(command, format!("raytree trace soft-shadow {end}"));
