@@ -146,10 +146,10 @@ impl<'a> Walk<'a> {
             facts.push((FactName::Direction, vector(sent.direction)));
         }
         let (ray, length) = believed_ray(believed, sent)?;
-        let traced = self.laws.closest_point(world, &ray, &mut Silent);
+        let traced = self.laws.closest(world, &ray, &mut Silent);
         let word = if traced.is_some() { "hit" } else { "miss" };
         facts.push((FactName::Outcome, Fact::Word(word.to_owned())));
-        if let Some((hit, _)) = &traced {
+        if let Some(hit) = &traced {
             let object = &world.scene.object_of(hit.primitive).name;
             facts.push((FactName::Object, Fact::Word(object.clone())));
             let index = world.scene.local_index(hit.primitive);
@@ -164,7 +164,7 @@ impl<'a> Walk<'a> {
             facts.push((FactName::own_term(TermKind::Background), background));
             return None;
         }
-        let hit = believed_hit(world, believed, (&ray, length), traced.map(|(hit, _)| hit))?;
+        let hit = believed_hit(world, believed, (&ray, length), traced)?;
         let computed = self.laws.interaction(&world.scene, &ray, &hit);
         let computed = *world
             .scene

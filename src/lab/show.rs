@@ -109,12 +109,13 @@ impl ShowMode {
         if self == Self::Direction {
             return as_color(ray.direction);
         }
-        let Some((hit, at)) = laws.closest_point(world, &ray, &mut Silent) else {
+        let Some(hit) = laws.closest(world, &ray, &mut Silent) else {
             return match self {
                 Self::Hit => ShownValue::Color(scene.background),
                 _ => ShownValue::Nothing,
             };
         };
+        let at = laws.interaction(scene, &ray, &hit);
         match self {
             Self::T => ShownValue::Number(hit.t),
             Self::Normal => as_color(scene.shaded((&hit, &at), effects, &mut None).normal),

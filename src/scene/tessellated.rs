@@ -182,7 +182,8 @@ mod tests {
         let seen = |world: &World, at: (u32, u32)| {
             let film = [f64::from(at.0) + 0.5, f64::from(at.1) + 0.5];
             let ray = world.scene.camera.ray(film, size);
-            let (hit, point) = world.closest_point(&ray, &mut Silent)?;
+            let hit = world.closest(&ray, 0.0, &mut Silent)?;
+            let point = world.scene.interaction(&ray, &hit);
             let shape = &world.scene.shapes[hit.primitive as usize];
             let is_pot = matches!(shape, Shape::Patch(_) | Shape::Triangle(_));
             let mut flat = None;

@@ -55,6 +55,7 @@ pub enum LightKind {
 impl LightKind {
     /// Light that arrives at `point`. `None` at the light's own position, where it has no direction, and for area lights,
     /// of which a point must be chosen first ([`Area::sample`]).
+    #[inline]
     pub fn sample(&self, point: DVec3) -> Option<LightSample> {
         match *self {
             Self::Area(_) => None,

@@ -37,21 +37,16 @@ pub trait Laws: Copy {
         camera.ray(film, size)
     }
 
-    /// Closest hit of a ray, and its point.
+    /// Closest hit of a ray.
     #[inline(always)]
-    fn closest_point<P: Probe>(
-        self,
-        world: &World,
-        ray: &Ray,
-        probe: &mut P,
-    ) -> Option<(Hit, Interaction)> {
-        world.closest_point(ray, probe)
+    fn closest<P: Probe>(self, world: &World, ray: &Ray, probe: &mut P) -> Option<Hit> {
+        world.closest(ray, 0.0, probe)
     }
 
-    /// Hit point with its normals.
+    /// Hit point with its normals, as shading asks for it.
     #[inline(always)]
     fn interaction(self, scene: &Scene, ray: &Ray, hit: &Hit) -> Interaction {
-        scene.interaction(ray, hit)
+        scene.interaction_for_shading(ray, hit)
     }
 
     /// Secondary ray from a hit point along a direction.

@@ -45,21 +45,17 @@ pub struct PixelBatch<'a> {
 }
 
 impl TileBatch {
-    /// Traces sample number `sample` of all `pixels`; false if there are none.
+    /// Traces one sample of each of the `pixels`.
     pub fn trace(
         &mut self,
         world: &World,
         settings: &Settings,
+        samples: &CameraSamples,
         pixels: impl Iterator<Item = (u32, u32)>,
-        sample: u32,
-    ) -> bool {
+    ) {
         let (scene, camera) = (&world.scene, &world.scene.camera);
         self.samples.clear();
-        let of_pixels = CameraSamples::new(settings, sample);
-        self.samples.extend(pixels.map(|pixel| of_pixels.of(pixel)));
-        if self.samples.is_empty() {
-            return false;
-        }
+        self.samples.extend(pixels.map(|pixel| samples.of(pixel)));
         self.rays.clear();
         self.rays.extend(self.samples.iter().map(|sample| {
             let ray = camera.ray(sample.film, settings.size());
@@ -77,7 +73,6 @@ impl TileBatch {
                 .map(|((ray, _), hit)| Some(scene.interaction_for_shading(ray, hit.as_ref()?))),
         );
         self.trace_shadow_rays(world, settings);
-        true
     }
 
     /// Traces the shadow rays of all hit points, light by light.

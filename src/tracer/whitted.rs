@@ -21,28 +21,23 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     /// Radiance that comes back along a ray.
     pub(super) fn radiance(&mut self, path: &mut Path) -> Rgb {
         self.tell_ray(path);
-        match self.closest(path, &mut None) {
+        let (hit, at);
+        let closest = if let Some(pixel) = path.prefetched {
+            pixel.hit()
+        } else if let Some(found) = self.laws.closest(self.world, &path.ray, self.probe) {
+            hit = found;
+            at = self.laws.interaction(&self.world.scene, &path.ray, &hit);
+            Some((&hit, &at))
+        } else {
+            None
+        };
+        match closest {
             None => self.background(),
             Some((hit, at)) if self.world.contact(hit.primitive) == Contact::None => {
                 self.shade(path, &NextHit::opaque(hit, at))
             }
             Some(closest) => self.radiance_among_media(path, closest),
         }
-    }
-
-    /// Closest hit of a ray, and its point, unless they are prefetched. `found` is memory for them.
-    #[inline]
-    fn closest<'b: 'f, 'f>(
-        &mut self,
-        path: &Path<'b>,
-        found: &'f mut Option<(Hit, Interaction)>,
-    ) -> Option<(&'f Hit, &'f Interaction)> {
-        if let Some(pixel) = path.prefetched {
-            return pixel.hit();
-        }
-        let closest = self.laws.closest_point(self.world, &path.ray, self.probe)?;
-        let (hit, at) = found.insert(closest);
-        Some((hit, at))
     }
 
     /// Radiance of a ray whose closest hit is on a transparent object or touches one: what it meets there is the next surface

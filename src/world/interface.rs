@@ -80,13 +80,6 @@ impl Surface {
 }
 
 impl World {
-    /// Closest hit of a ray, and its point.
-    #[inline]
-    pub fn closest_point<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<(Hit, Interaction)> {
-        let hit = self.closest(ray, 0.0, probe)?;
-        Some((hit, self.scene.interaction_for_shading(ray, &hit)))
-    }
-
     /// Next interface of a ray that is inside the open objects `media`, from its closest hit on; `None` if it leaves the scene.
     ///
     /// Surfaces that change nothing are passed and told of; each costs as much as a ray and counts as one.

@@ -89,8 +89,8 @@ impl Film {
         }
     }
 
-    /// Copies a tile's film into the picture.
-    pub(super) fn paste(&mut self, tile: Tile, film: &Self) {
+    /// Moves the pixels of a tile's film into the picture.
+    pub(super) fn paste(&mut self, tile: Tile, film: &mut Self) {
         let (columns, rows) = tile.size();
         let columns = columns as usize;
         for row in 0..rows as usize {
@@ -101,6 +101,12 @@ impl Film {
             copy(&mut self.samples, to.clone(), &film.samples, from.clone());
             copy(&mut self.errors, to, &film.errors, from);
         }
+        (film.pixels, film.samples, film.errors) = Default::default();
+    }
+
+    /// Adds what is counted over all pixels of a tile. In the order of the tiles, whichever is drawn first, the sums are the same to
+    /// the last bit.
+    pub(super) fn add_counts(&mut self, film: &Self) {
         self.rays += film.rays;
         self.truncated |= film.truncated;
         self.non_finite = self.non_finite.plus(film.non_finite);

@@ -1,12 +1,13 @@
 //! The rendering of a whole picture: its tiles, in parallel.
 
 use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
 use super::buffer::Film;
 use super::thread_pool;
-use super::tile_pass::RenderedTile;
+use super::tile_pass::{RenderedTile, TileMemory};
 use crate::probe::{Probe, Silent};
 use crate::scene::Settings;
 use crate::tracer::tile::tiles;
@@ -31,27 +32,30 @@ pub fn render<P: Probe + Default + Send>(
 ) -> (Film, Vec<P>) {
     let stopped = std::sync::atomic::AtomicBool::new(false);
     let order = std::sync::atomic::Ordering::Relaxed;
+    let picture = Mutex::new(Film::black(settings.size(), settings));
     let results: Vec<_> = thread_pool::install(threads, || {
         tiles(settings)
             .into_par_iter()
-            .map(|tile| {
+            .map_init(TileMemory::default, |memory, tile| {
                 if stopped.load(order) {
-                    return RenderedTile::blank(tile);
+                    return RenderedTile::blank();
                 }
-                let done = RenderedTile::render(tile, world, settings);
+                let mut done = RenderedTile::render(tile, world, settings, memory);
                 if watch(done.film.pixels.len() as u64, done.film.rays) == ControlFlow::Break(()) {
                     stopped.store(true, order);
                 }
+                let mut picture = picture.lock().unwrap_or_else(PoisonError::into_inner);
+                picture.paste(tile, &mut done.film);
                 done
             })
             .collect()
     });
 
-    let mut film = Film::black(settings.size(), settings);
+    let mut picture = picture.into_inner().unwrap_or_else(PoisonError::into_inner);
     let mut probes = Vec::with_capacity(results.len());
     for done in results {
-        film.paste(done.tile, &done.film);
+        picture.add_counts(&done.film);
         probes.push(done.probe);
     }
-    (film, probes)
+    (picture, probes)
 }

@@ -9,10 +9,15 @@ use crate::tracer::tile::Tile;
 use crate::tracer::tile_batch::TileBatch;
 use crate::world::World;
 
+/// Memory that is used again for one tile after another.
+#[derive(Default)]
+pub struct TileMemory {
+    pixels: Vec<PixelEstimator>,
+    batch: TileBatch,
+}
+
 /// A tile that was rendered, or left out.
 pub struct RenderedTile<P> {
-    /// The tile.
-    pub tile: Tile,
     /// Its own pixels; none if it was left out.
     pub film: Film,
     /// The probe of its rays.
@@ -21,9 +26,8 @@ pub struct RenderedTile<P> {
 
 impl<P: Probe + Default> RenderedTile<P> {
     /// A tile that is left out: its pixels stay black.
-    pub fn blank(tile: Tile) -> Self {
+    pub fn blank() -> Self {
         Self {
-            tile,
             film: Film {
                 truncated: true,
                 ..Film::default()
@@ -35,22 +39,22 @@ impl<P: Probe + Default> RenderedTile<P> {
     /// Renders a tile: its pixels together if the probe is silent, else one after the other, so that it hears of a pixel's
     /// rays in their order. (A function of its own in every program, so that its instructions can be counted.)
     #[inline(never)]
-    pub fn render(tile: Tile, world: &World, settings: &Settings) -> Self {
+    pub fn render(tile: Tile, world: &World, settings: &Settings, memory: &mut TileMemory) -> Self {
         let mut probe = P::default();
         let mut film = Film::black(tile.size(), settings);
         if counting::BENDS && !settings.bends.is_empty() {
             bent(tile, (world, settings), &mut film, &mut probe);
-            return Self { tile, film, probe };
+            return Self { film, probe };
         }
         let mut tracer = Tracer::new(world, settings, &mut probe);
         if !P::LISTENS {
-            together(&mut tracer, tile, &mut film);
+            together(&mut tracer, tile, &mut film, memory);
         } else if settings.pixel.asks_around() {
-            one_by_one_after_pilot(&mut tracer, tile, &mut film);
+            one_by_one_after_pilot(&mut tracer, tile, &mut film, memory);
         } else {
             one_by_one(&mut tracer, tile, &mut film);
         }
-        Self { tile, film, probe }
+        Self { film, probe }
     }
 }
 
@@ -69,11 +73,16 @@ fn bent<P: Probe>(
 }
 
 /// All pixels together, sample after sample.
-fn together<P: Probe>(tracer: &mut Tracer<P>, tile: Tile, film: &mut Film) {
+fn together<P: Probe>(
+    tracer: &mut Tracer<P>,
+    tile: Tile,
+    film: &mut Film,
+    memory: &mut TileMemory,
+) {
     let settings = tracer.settings;
-    let mut pixels = begin(tracer, tile);
-    run_all(tracer, &mut pixels);
-    for estimator in &mut pixels {
+    begin(tracer, tile, memory);
+    run_all(tracer, memory);
+    for estimator in &mut memory.pixels {
         let at = estimator.at();
         film.put(tile.index(at), at, estimator.finish(settings));
     }
@@ -88,10 +97,16 @@ fn one_by_one<P: Probe>(tracer: &mut Tracer<P>, tile: Tile, film: &mut Film) {
 }
 
 /// Pixel after pixel, after a silent pilot of all of them has decided how many samples each has.
-fn one_by_one_after_pilot<P: Probe>(tracer: &mut Tracer<P>, tile: Tile, film: &mut Film) {
+fn one_by_one_after_pilot<P: Probe>(
+    tracer: &mut Tracer<P>,
+    tile: Tile,
+    film: &mut Film,
+    memory: &mut TileMemory,
+) {
     let mut silent = Silent;
     let mut pilot = Tracer::new(tracer.world, tracer.settings, &mut silent);
-    for decided in begin(&mut pilot, tile) {
+    begin(&mut pilot, tile, memory);
+    for decided in &memory.pixels {
         let at = decided.at();
         let pixel = PixelEstimator::trace_samples(tracer, at, decided.target());
         film.put(tile.index(at), at, &pixel);
@@ -99,34 +114,25 @@ fn one_by_one_after_pilot<P: Probe>(tracer: &mut Tracer<P>, tile: Tile, film: &m
 }
 
 /// The tile's pixels without samples; where they decide for one another, with those that decide, and decided.
-fn begin<P: Probe>(tracer: &mut Tracer<P>, tile: Tile) -> Vec<PixelEstimator> {
+fn begin<P: Probe>(tracer: &mut Tracer<P>, tile: Tile, memory: &mut TileMemory) {
     let (settings, budget) = (tracer.settings, tracer.budget);
-    let mut pixels: Vec<_> = tile
-        .pixels_in_blocks()
-        .into_iter()
-        .map(|at| PixelEstimator::new(settings, budget, at))
-        .collect();
+    memory.pixels.clear();
+    let new = |at| PixelEstimator::new(settings, budget, at);
+    memory
+        .pixels
+        .extend(tile.pixels_in_blocks().into_iter().map(new));
     if settings.pixel.asks_around() {
-        run_all(tracer, &mut pixels);
-        PixelEstimator::settle_tile(settings, tile, &mut pixels);
+        run_all(tracer, memory);
+        PixelEstimator::settle_tile(settings, tile, &mut memory.pixels);
     }
-    pixels
 }
 
-/// Takes the samples that some pixels need, which have equally many so far, sample after sample: their rays are traced together
+/// Takes the samples that some pixels need, which have equally many so far, sample after sample: their rays are traced in packets
 /// if that is quicker.
-fn run_all<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator]) {
+fn run_all<P: Probe>(tracer: &mut Tracer<P>, memory: &mut TileMemory) {
+    let (world, settings) = (tracer.world, tracer.settings);
+    let TileMemory { pixels, batch } = memory;
     let first = pixels.first().map_or(0, PixelEstimator::samples);
-    if tracer.world.accel.gains_from_packets() {
-        run_together(tracer, pixels, first);
-    } else {
-        run_each(tracer, pixels, first);
-    }
-}
-
-/// Takes the samples from number `first` on, one pixel's ray after the other.
-fn run_each<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator], first: u32) {
-    let (settings, camera) = (tracer.settings, &tracer.world.scene.camera);
     let mut open: Vec<&mut PixelEstimator> = pixels.iter_mut().collect();
     for index in first.. {
         open.retain_mut(|pixel| pixel.is_open(settings));
@@ -134,28 +140,22 @@ fn run_each<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator], fir
             break;
         }
         let samples = CameraSamples::new(settings, index);
+        if world.accel.gains_from_packets() {
+            batch.trace(
+                world,
+                settings,
+                &samples,
+                open.iter().map(|pixel| pixel.at()),
+            );
+            for (pixel, (sample, ray, prefetched)) in open.iter_mut().zip(batch.pixels()) {
+                pixel.add(tracer, (sample, ray), Some(prefetched));
+            }
+            continue;
+        }
         for pixel in &mut open {
             let sample = samples.of(pixel.at());
-            let ray = camera.ray(sample.film, settings.size());
+            let ray = world.scene.camera.ray(sample.film, settings.size());
             pixel.add(tracer, (&sample, ray), None);
-        }
-    }
-}
-
-/// Takes the samples from number `first` on, the rays of all pixels in packets.
-fn run_together<P: Probe>(tracer: &mut Tracer<P>, pixels: &mut [PixelEstimator], first: u32) {
-    let (world, settings) = (tracer.world, tracer.settings);
-    let mut batch = TileBatch::default();
-    for index in first.. {
-        let open = pixels.iter_mut();
-        let open = open.filter_map(|p| p.is_open(settings).then(|| p.at()));
-        if !batch.trace(world, settings, open, index) {
-            break;
-        }
-        let open = pixels.iter_mut();
-        let open = open.filter_map(|p| p.is_open(settings).then_some(p));
-        for (estimator, (sample, ray, prefetched)) in open.zip(batch.pixels()) {
-            estimator.add(tracer, (sample, ray), Some(prefetched));
         }
     }
 }

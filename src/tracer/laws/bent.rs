@@ -24,17 +24,11 @@ impl Laws for Bent {
         }
     }
 
-    fn closest_point<P: Probe>(
-        self,
-        world: &World,
-        ray: &Ray,
-        probe: &mut P,
-    ) -> Option<(Hit, Interaction)> {
-        let hit = match self.0.of(Law::Closest) {
-            Some(bend) => closest::closest(bend, world, ray)?,
-            None => world.closest(ray, 0.0, probe)?,
-        };
-        Some((hit, self.interaction(&world.scene, ray, &hit)))
+    fn closest<P: Probe>(self, world: &World, ray: &Ray, probe: &mut P) -> Option<Hit> {
+        match self.0.of(Law::Closest) {
+            Some(bend) => closest::closest(bend, world, ray),
+            None => world.closest(ray, 0.0, probe),
+        }
     }
 
     fn interaction(self, scene: &Scene, ray: &Ray, hit: &Hit) -> Interaction {

@@ -154,12 +154,12 @@ impl PixelEstimator {
     /// True if another sample is needed.
     #[inline]
     pub fn is_open(&mut self, settings: &Settings) -> bool {
-        self.pixel.samples < self.target || self.raise_target(settings)
+        self.pixel.samples < self.target || (self.weights.is_none() && self.raise_target(settings))
     }
 
     /// Raises the target of a pixel that decides itself; true if it needs more samples.
     fn raise_target(&mut self, settings: &Settings) -> bool {
-        let (None, Some(adaptive)) = (self.weights, settings.pixel.adaptive) else {
+        let Some(adaptive) = settings.pixel.adaptive else {
             return false;
         };
         let taken = self.pixel.samples;
