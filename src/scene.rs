@@ -246,6 +246,7 @@ impl Scene {
 
     /// Interaction at a hit, as [`Scene::interaction`] gives it, but for u and v of a sphere: where no material asks for them they
     /// are 0, since they take longer than all the rest.
+    #[inline]
     pub fn interaction_for_shading(&self, ray: &Ray, hit: &Hit) -> Interaction {
         self.interaction_with::<false>(ray, hit)
     }

@@ -21,6 +21,7 @@ pub const fn gamma(n: u32) -> f64 {
 /// `normal`. The box of that error extends d = sum |n_k| error_k along the normal; stepping that far, to the side
 /// that the ray goes to, and then one float further on each axis, leaves the surface for certain. No epsilon is
 /// chosen by hand, so the step is right at every scale.
+#[inline]
 pub fn offset_origin(point: DVec3, error: DVec3, normal: DVec3, direction: DVec3) -> DVec3 {
     let normal_error = normal.abs().dot(error);
     let offset = if direction.dot(normal) < 0.0 {
@@ -37,6 +38,7 @@ pub fn offset_origin(point: DVec3, error: DVec3, normal: DVec3, direction: DVec3
 }
 
 /// The next float from `value` in the direction of `offset`; `value` itself if there was no offset.
+#[inline]
 fn away(value: f64, offset: f64) -> f64 {
     if offset > 0.0 {
         value.next_up()

@@ -87,6 +87,7 @@ impl Interaction {
     }
 
     /// The origin of a ray that leaves along `direction`: clear of the surface, on the side that it goes to.
+    #[inline]
     pub fn origin_towards(&self, direction: DVec3) -> DVec3 {
         offset_origin(self.point, self.error, self.geometric_normal, direction)
     }

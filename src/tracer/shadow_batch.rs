@@ -93,14 +93,12 @@ impl ShadowBatch {
     #[inline]
     pub fn sample(&mut self, sampler: &impl LightSampler, count: u32) {
         for sample in 0..count {
-            let index = self.prefetched.len() as u32;
             let (ray, occluded) = (sampler.shadow_ray(sample), false);
-            self.prefetched.push(Prefetched { ray, occluded });
-            let added = self.prefetched.last().map(|added| &added.ray);
-            if let Some(Ok(ShadowRay { ray, light, .. })) = added {
+            if let Ok(ShadowRay { ray, light, .. }) = &ray {
                 self.rays.push((*ray, Interval::before(light.distance)));
-                self.indices.push(index);
+                self.indices.push(self.prefetched.len() as u32);
             }
+            self.prefetched.push(Prefetched { ray, occluded });
         }
     }
 

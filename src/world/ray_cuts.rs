@@ -15,6 +15,13 @@ pub struct RayCuts {
 }
 
 impl RayCuts {
+    /// None.
+    pub const NONE: Self = Self {
+        by_depth: 0,
+        by_weight: 0,
+        weight: 0.0,
+    };
+
     /// True if no ray was left out.
     #[inline]
     pub fn is_empty(&self) -> bool {

@@ -27,23 +27,25 @@ pub struct Pixel {
 }
 
 impl Default for Pixel {
-    /// A pixel without samples.
     fn default() -> Self {
-        Self {
-            color: Rgb::BLACK,
-            rays: 0,
-            budget_used: 0,
-            truncated: false,
-            cuts: RayCuts::default(),
-            samples: 0,
-            error: f64::INFINITY,
-            non_finite: 0,
-            first_non_finite: None,
-        }
+        Self::EMPTY
     }
 }
 
 impl Pixel {
+    /// A pixel without samples. (A constant: it is copied for every pixel of a picture.)
+    pub const EMPTY: Self = Self {
+        color: Rgb::BLACK,
+        rays: 0,
+        budget_used: 0,
+        truncated: false,
+        cuts: RayCuts::NONE,
+        samples: 0,
+        error: f64::INFINITY,
+        non_finite: 0,
+        first_non_finite: None,
+    };
+
     /// The share of its light that it lost to the limits of recursion, if what was left out is as bright as the rest: the
     /// weight of the rays that were left out, over its samples.
     pub fn cut_share(&self) -> f64 {

@@ -51,7 +51,7 @@ impl PixelEstimator {
             at,
             pixel: Pixel {
                 truncated: afforded < settings.pixel.most_samples(),
-                ..Pixel::default()
+                ..Pixel::EMPTY
             },
             target: count.unwrap_or(settings.pixel.samples.min(afforded)),
             weights: count.map(|count| Weights::new(settings, at, count)),
