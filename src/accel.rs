@@ -127,7 +127,7 @@ impl Accel {
         probe: &mut P,
     ) -> Option<Hit> {
         let mut closest = None;
-        self.search(&Query::new(shapes, ray, interval), &mut closest, probe);
+        self.search(&self.query(shapes, ray, interval), &mut closest, probe);
         closest
     }
 
@@ -141,7 +141,7 @@ impl Accel {
         probe: &mut P,
     ) -> Option<Hit> {
         let mut hit = AnyHit(None);
-        self.search(&Query::new(shapes, ray, interval), &mut hit, probe);
+        self.search(&self.query(shapes, ray, interval), &mut hit, probe);
         hit.0
     }
 
@@ -165,6 +165,15 @@ impl Accel {
             bsp.search_far_first(&query, &mut closest, probe);
         }
         Some(closest.or(any.0))
+    }
+
+    /// The ray as the structure's shapes are tested against it.
+    #[inline(always)]
+    fn query<'a>(&self, shapes: &'a [Shape], ray: &Ray, interval: Interval) -> Query<'a> {
+        match self {
+            Self::List(list) if !list.needs_view => Query::without_view(shapes, ray, interval),
+            _ => Query::new(shapes, ray, interval),
+        }
     }
 
     /// Traverses the structure; `found` decides which hits are wanted.

@@ -22,7 +22,7 @@ use medium::medium;
 use neighbour::is_clear;
 
 pub use contact::Contact;
-pub use interface::{Interface, NextHit};
+pub use interface::{Interface, NextHit, Surface};
 pub use medium::{Crossing, OpenMedia};
 pub use ray_budget::RayBudget;
 pub use ray_cuts::RayCuts;

@@ -2,7 +2,6 @@
 
 use super::Accel;
 use super::collect::AllHits;
-use super::query::Query;
 use crate::geometry::{Hit, Intersection, Shape, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::Silent;
@@ -25,7 +24,7 @@ impl Accel {
         interval: Interval,
     ) {
         hits.clear();
-        let query = Query::new(shapes, ray, interval);
+        let query = self.query(shapes, ray, interval);
         self.search(&query, &mut AllHits(hits), &mut Silent);
         let in_order = |a: &Hit, b: &Hit| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive));
         hits.sort_unstable_by(in_order);

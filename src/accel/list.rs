@@ -9,6 +9,8 @@ use crate::probe::Probe;
 #[derive(Clone, Debug)]
 pub struct List {
     count: u32,
+    /// Whether a shape is tested in the ray's own view.
+    pub(super) needs_view: bool,
 }
 
 impl List {
@@ -16,6 +18,7 @@ impl List {
     pub fn build(shapes: &[Shape]) -> Self {
         Self {
             count: shapes.len() as u32,
+            needs_view: shapes.iter().any(Shape::needs_view),
         }
     }
 

@@ -58,7 +58,22 @@ fn between(crossings: Option<[f64; 2]>) -> Spans {
 }
 
 impl Shape {
-    /// Where `ray` first crosses the shape inside `interval`. `shear` is [`Shear::new`] of the same ray.
+    /// Whether it is tested in the ray's own view ([`Shear`]).
+    #[inline]
+    pub fn needs_view(&self) -> bool {
+        match self {
+            Self::Triangle(_) | Self::Polygon(_) | Self::Patch(_) | Self::Naive(_) => true,
+            Self::Sphere(_)
+            | Self::Plane(_)
+            | Self::Cuboid(_)
+            | Self::Disc(_)
+            | Self::Body(_)
+            | Self::Transformed(_) => false,
+        }
+    }
+
+    /// Where `ray` first crosses the shape inside `interval`. `shear` is [`Shear::new`] of the same ray, or [`Shear::NONE`] if the
+    /// shape needs no view.
     #[inline]
     pub fn intersect(&self, ray: &Ray, shear: &Shear, interval: Interval) -> Intersection {
         match self {

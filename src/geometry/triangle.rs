@@ -32,6 +32,13 @@ pub struct Shear {
 }
 
 impl Shear {
+    /// No view, for shapes that are tested without one: whatever is seen in it is NaN.
+    pub const NONE: Self = Self {
+        origin: DVec3::NAN,
+        axes: [0, 1, 2],
+        s: DVec3::NAN,
+    };
+
     /// The view along `ray`.
     #[inline]
     pub fn new(ray: &Ray) -> Self {

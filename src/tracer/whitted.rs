@@ -12,7 +12,7 @@ use crate::math::Rgb;
 use crate::probe::RayKind::{self, Reflected, Transmitted};
 use crate::probe::{Absence, Event, NONE, Probe, Term, tell};
 use crate::shading::{Interaction, Secondary, ShadingPoint};
-use crate::world::{Contact, Interface, NextHit, OpenMedia};
+use crate::world::{Contact, Interface, NextHit, OpenMedia, Surface};
 
 /// Secondary ray, or why there is none.
 type Wanted = Result<Secondary, Absence>;
@@ -45,12 +45,12 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     #[inline(never)]
     fn radiance_among_media(&mut self, path: &mut Path, closest: (&Hit, &Interaction)) -> Rgb {
         let media = (&mut path.media, &mut self.scratch);
-        let next = self
-            .world
-            .next_interface(&path.ray, closest, media, &mut self.rays, self.probe);
-        match next {
-            Some(surface) => self.shade(path, &surface.next_hit()),
-            None => self.background(),
+        let mut surface = Surface::new(closest);
+        let (world, rays) = (self.world, &mut self.rays);
+        if world.next_interface(&path.ray, &mut surface, media, rays, self.probe) {
+            self.shade(path, &surface.next_hit())
+        } else {
+            self.background()
         }
     }
 

@@ -68,6 +68,16 @@ impl<'f> NextHit<'f> {
 }
 
 impl Surface {
+    /// The closest hit of a ray, before anything is known of its media.
+    pub fn new((hit, at): (&Hit, &Interaction)) -> Self {
+        Self {
+            hit: *hit,
+            at: *at,
+            interface: None,
+            is_first: true,
+        }
+    }
+
     /// The surface as the next hit of its ray.
     pub fn next_hit(&self) -> NextHit<'_> {
         NextHit {
@@ -80,26 +90,21 @@ impl Surface {
 }
 
 impl World {
-    /// Next interface of a ray that is inside the open objects `media`, from its closest hit on; `None` if it leaves the scene.
+    /// Moves from the closest hit of a ray that is inside the open objects `media` to the next interface; false if there is none, and
+    /// the ray leaves the scene.
     ///
     /// Surfaces that change nothing are passed and told of; each costs as much as a ray and counts as one.
     #[inline(always)]
     pub fn next_interface<P: Probe>(
         &self,
         ray: &Ray,
-        (hit, at): (&Hit, &Interaction),
+        surface: &mut Surface,
         (media, scratch): (&mut OpenMedia, &mut Scratch),
         rays: &mut RayBudget,
         probe: &mut P,
-    ) -> Option<Surface> {
-        let mut surface = Surface {
-            hit: *hit,
-            at: *at,
-            interface: None,
-            is_first: true,
-        };
+    ) -> bool {
         while self.contact(surface.hit.primitive) != Contact::None {
-            let crossed = self.cross(ray, &mut surface, *media, scratch);
+            let crossed = self.cross(ray, surface, *media, scratch);
             if !self.is_transmissive(surface.hit.primitive) {
                 break;
             }
@@ -122,11 +127,14 @@ impl World {
             );
             rays.ray();
             *media = crossed.beyond;
-            surface.hit = self.closest(ray, crossed.end, probe)?;
+            let Some(hit) = self.closest(ray, crossed.end, probe) else {
+                return false;
+            };
+            surface.hit = hit;
             surface.at = self.scene.interaction_for_shading(ray, &surface.hit);
             surface.is_first = false;
         }
-        Some(surface)
+        true
     }
 
     /// What `ray` crosses at its closest `surface`, together with all that touches it; moves to the surface that counts: an

@@ -58,7 +58,12 @@ impl<'a> PacketHits<'a> {
     pub fn test<const ANY: bool>(&mut self, rays: &mut RayPacket, lane: usize, primitive: u32) {
         let (ray, interval) = &self.queries[lane];
         let best = &mut self.best[lane];
-        Query::new(self.shapes, ray, *interval).test(primitive, best, &mut Silent);
+        let query = if self.shapes[primitive as usize].needs_view() {
+            Query::new(self.shapes, ray, *interval)
+        } else {
+            Query::without_view(self.shapes, ray, *interval)
+        };
+        query.test(primitive, best, &mut Silent);
         if let Some(hit) = best {
             if ANY {
                 self.found |= 1 << lane;
