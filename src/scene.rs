@@ -15,6 +15,7 @@ pub mod kept;
 mod law;
 pub mod limits;
 mod load;
+mod models;
 mod object;
 mod object_frame;
 pub mod part;

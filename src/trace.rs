@@ -5,6 +5,7 @@
 //! from both, with names instead of ids; whatever is written ([`export`]) is made from the document alone.
 
 pub mod address;
+pub mod corner_terms;
 pub mod counts;
 pub mod document;
 pub mod explain;

@@ -3,7 +3,8 @@
 //! [`render()`] follows the rays of every pixel and listens to nothing; [`pixel()`] with a recording probe follows the
 //! rays of one pixel and writes them down. Both go through [`whitted`].
 
-mod by_laws;
+pub mod by_laws;
+pub mod corners;
 mod direct;
 pub mod film;
 pub mod image;

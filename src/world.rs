@@ -15,7 +15,7 @@ use crate::accel::{Accel, AccelKind, Progress, further_hits};
 use crate::geometry::{Hit, Shear};
 use crate::math::{Interval, Ray};
 use crate::probe::{NONE, Probe, counting};
-use crate::scene::{Object, Scene};
+use crate::scene::{Object, Scene, Settings};
 use crate::shading::Interaction;
 use contact::{Contacts, contacts};
 use medium::medium;
@@ -34,6 +34,8 @@ pub struct World {
     pub scene: Scene,
     /// The structure over its shapes.
     pub accel: Accel,
+    /// True if an object asks for a shading model.
+    names_models: bool,
     /// True if anything is transparent.
     has_media: bool,
     /// How each object is in contact with media.
@@ -75,6 +77,7 @@ impl World {
             Vec::new()
         };
         let mut world = Self {
+            names_models: scene.names_models(),
             scene,
             accel,
             has_media,
@@ -104,6 +107,11 @@ impl World {
             }
         }
         around
+    }
+
+    /// True if triangles are shaded by a model that the settings or an object name.
+    pub fn shades_by_model(&self, settings: &Settings) -> bool {
+        self.names_models || settings.shading.is_some()
     }
 
     /// True if an object is transparent and bounds no part of space.

@@ -9,13 +9,14 @@ use super::render::files;
 use super::settings::SceneArgs;
 use super::{ColorArg, Completion, Failure};
 use crate::accel::fastest;
-use crate::lab::raster::{Filling, RasterPicture, ScreenBlend, ShadingModel, raster, row_table};
+use crate::lab::raster::{Filling, RasterPicture, ScreenBlend, raster, row_table};
 use crate::scene::Scene;
 use crate::scene::printable::printable;
 use crate::tracer::image::terminal;
 
 pub const HELP: &str = "Triangles are projected onto the screen and filled row by row: no shadows, no reflection, no \
-refraction. One sample at each pixel's middle; settings of samples and rays change nothing. Other shapes than triangles are left out.";
+refraction. One sample at each pixel's middle; settings of samples and rays change nothing. With \
+--shading flat a triangle has one colour, computed in its middle. Other shapes than triangles are left out.";
 
 #[derive(Args)]
 pub struct Raster {
@@ -23,9 +24,6 @@ pub struct Raster {
     /// is drawn as text
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// What is computed at the corners of a triangle, and what at each pixel
-    #[arg(long, value_enum, value_name = "MODEL", default_value_t)]
-    shading: ShadingModel,
     /// Blend linearly on the screen, as if all depths were the same
     #[arg(long)]
     affine: bool,
@@ -60,7 +58,7 @@ impl Raster {
             ScreenBlend::Perspective
         };
         let filling = Filling {
-            shading: self.shading,
+            shading: None,
             blend,
         };
         let drawn = raster(&world.scene, &settings, filling, self.row);

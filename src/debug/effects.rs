@@ -17,13 +17,18 @@ pub fn switched(effects: Effects, finding: &Finding) -> Result<Effects, String> 
     })
 }
 
-/// Laws that are bent, arithmetic other than the default, and effects that the scene calls for and that are left out.
+/// Laws that are bent, a shading that is not the scene's, arithmetic other than the default, and effects that the scene calls for and that are left out.
 pub fn deviations(settings: &Settings, findings: &[Finding]) -> Option<String> {
     let bends = settings.bends;
     let mut told: Vec<_> = (!bends.is_empty())
         .then(|| format!("bend {bends}"))
         .into_iter()
         .collect();
+    told.extend(
+        settings
+            .shading
+            .map(|model| format!("shading {}", model.word())),
+    );
     let list = settings.arithmetic.deviations().into_iter();
     told.extend(list.map(|d| format!("{} {}", d.choice, d.value)));
     let left_out: Vec<&str> = findings

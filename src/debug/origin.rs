@@ -2,7 +2,7 @@
 //!
 //! Only the first is written down; the second is found by asking every event nearby for the first.
 
-use crate::probe::{Event, RayKind, Term, Verdict};
+use crate::probe::{Event, RayKind, Term, TermKind, Verdict};
 use crate::trace::{RayTree, View};
 
 /// Events that are asked, and places that are listed, at most.
@@ -259,10 +259,22 @@ impl OriginFinder<'_> {
                 self.input("colour", "scene: background");
                 return;
             }
-            Term::Ambient { .. } => self.input("ambient light", "scene: ambient"),
+            Term::Ambient { .. }
+            | Term::Blended {
+                kind: TermKind::Ambient,
+                ..
+            } => self.input("ambient light", "scene: ambient"),
             _ => {}
         }
-        self.event("N, V, the hit point", |o| o.own(is_hit));
+        if matches!(term, Term::Blended { .. }) {
+            let hit = self.own(is_hit);
+            if let Some(Event::Hit(hit)) = hit.and_then(|at| self.tree.events.get(at)) {
+                self.object("corners and their normals", hit.primitive);
+            }
+            self.event("weights", |_| hit);
+        } else {
+            self.event("N, V, the hit point", |o| o.own(is_hit));
+        }
         self.material("coefficients");
         let (tree, node) = (self.tree, self.node);
         let is_it = |child: &u32| {
@@ -316,6 +328,7 @@ mod tests {
             ("whitted", (32, 24)),
             ("nested-glass", (30, 24)),
             ("soft-shadow", (24, 36)),
+            ("gouraud", (32, 24)),
         ] {
             let scene = load(name).expect(name);
             let settings = scene.settings.with(|s| {

@@ -3,8 +3,11 @@
 use crate::geometry::{Hit, Intersection, Shear};
 use crate::math::{DVec3, Interval, Ray};
 use crate::probe::RayKind;
+use crate::scene::Settings;
 use crate::shading::Interaction;
 use crate::trace::facts::{FactName, RayFacts};
+use crate::tracer::corners::HitCorners;
+use crate::tracer::laws::Laws;
 use crate::world::World;
 
 /// What becomes of points and origins that are nearly those that are computed. With each of both readings some quantities of a
@@ -89,6 +92,8 @@ pub struct BelievedVertex {
     pub primitive: u32,
     /// The point with its normals.
     pub at: Interaction,
+    /// The corners of its triangle, if light is blended between them.
+    pub corners: Option<HitCorners>,
 }
 
 impl Believed<'_> {
@@ -103,6 +108,23 @@ impl Believed<'_> {
 
     fn number(&self, name: &FactName) -> Option<f64> {
         self.theirs?.number(name)
+    }
+
+    /// The corners of the triangle that is hit, with the student's own weights if they are told; none if light is not blended there.
+    pub fn corners<L: Laws>(
+        &self,
+        laws: L,
+        (world, settings): (&World, &Settings),
+        ray: &Ray,
+        hit: &Hit,
+    ) -> Option<HitCorners> {
+        let object = world.scene.object_of(hit.primitive);
+        let told = self.theirs.and_then(|r| r.vector(&FactName::Barycentric));
+        let hit = Hit {
+            place: told.map_or(hit.place, |weights| object.in_order_of_file(weights)),
+            ..*hit
+        };
+        HitCorners::of(laws, (&world.scene, settings), ray.origin, &hit)
     }
 
     /// The hit point with the student's own point and normals where they are told; the ray's direction has this length.

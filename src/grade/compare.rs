@@ -120,7 +120,11 @@ fn law(of: PixelReference, kind: RayKind, name: &FactName) -> Law {
         lights.iter().any(|l| l.name == *light && l.kind.is_area())
     };
     match name {
-        FactName::Term(_, Some(light), _) if is_area(light) => Law::LightSamples,
+        FactName::Term(_, Some(light), _) | FactName::CornerValue(_, Some(light), ..)
+            if is_area(light) =>
+        {
+            Law::LightSamples
+        }
         FactName::NDotL(light, _) | FactName::RDotV(light, _) if is_area(light) => {
             Law::LightSamples
         }

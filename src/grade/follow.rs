@@ -16,6 +16,7 @@ use crate::probe::{Absence, RayKind, Silent, Term, TermKind};
 use crate::scene::{AIR_IOR, Bends, Settings};
 use crate::shading::{FresnelSplit, Secondary, ShadingPoint, Side};
 use crate::trace::facts::{Fact, FactName, PixelFacts, RayFacts, Step, TreePath, sorted};
+use crate::tracer::corners::CornerPoints;
 use crate::tracer::laws::{Bent, Laws};
 use crate::tracer::pixel::camera_sample;
 use crate::world::World;
@@ -166,15 +167,14 @@ impl<'a> Walk<'a> {
         }
         let hit = believed_hit(world, believed, (&ray, length), traced)?;
         let computed = self.laws.interaction(&world.scene, &ray, &hit);
-        let computed = *world
-            .scene
-            .shaded((&hit, &computed), settings.effects, &mut None);
+        let computed = world.scene.shaded_with((&hit, &computed), settings);
         facts.push((FactName::Point, vector(computed.point)));
         facts.push((FactName::GeometricNormal, vector(computed.geometric_normal)));
         facts.push((FactName::Normal, vector(computed.normal)));
         Some(BelievedVertex {
             primitive: hit.primitive,
             at: believed.interaction(computed, length),
+            corners: believed.corners(self.laws, (world, settings), &ray, &hit),
         })
     }
 
@@ -200,6 +200,13 @@ impl<'a> Walk<'a> {
             (_, Some(split)) => self.laws.transmitted(point, split),
             _ => Err(Absence::NoTransmission),
         }
+    }
+
+    /// The corners of the triangle where a ray ends, if light is blended between them.
+    fn corners<'v>(&'v self, vertex: &'v BelievedVertex) -> Option<CornerPoints<'v>> {
+        let material = self.world.scene.material_of(vertex.primitive);
+        let corners = vertex.corners.as_ref()?;
+        Some(corners.points(material, self.settings.effects))
     }
 
     fn point<'v>(&'v self, vertex: &'v BelievedVertex) -> ShadingPoint<'v> {
@@ -262,9 +269,13 @@ impl<'a> Walk<'a> {
             );
         };
         add(point.emitted());
-        add(self.laws.ambient(&point, scene.ambient, scene.lights.len()));
-        for light in 0..scene.lights.len() as u32 {
-            self.light(believed, &point, light, facts);
+        let count = scene.lights.len();
+        add(match self.corners(vertex) {
+            Some(corners) => corners.ambient(self.laws, scene.ambient, count),
+            None => self.laws.ambient(&point, scene.ambient, count),
+        });
+        for light in 0..count as u32 {
+            self.light(believed, vertex, light, facts);
         }
         let index = self.vertices.len();
         let ours = believed.ours;

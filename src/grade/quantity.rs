@@ -123,7 +123,7 @@ impl QuantityKind {
             FactName::Normal => Self::Normal,
             FactName::Side => Self::Side,
             FactName::Term(..) => Self::Terms,
-            FactName::NDotL(..) | FactName::RDotV(..) => Self::Factors,
+            FactName::NDotL(..) | FactName::RDotV(..) | FactName::CornerValue(..) => Self::Factors,
             FactName::Reflectance => Self::Reflectance,
             FactName::Sends(_) | FactName::Shines(_) => Self::Sent,
             FactName::Weight => Self::Weight,
@@ -152,7 +152,7 @@ pub fn law_of(ray: RayKind, name: &FactName) -> Law {
             | FactName::Order,
             _,
         ) => Law::Closest,
-        (FactName::Term(kind, ..), _) => match kind {
+        (FactName::Term(kind, ..) | FactName::CornerValue(kind, ..), _) => match kind {
             TermKind::Ambient => Law::Ambient,
             TermKind::Background => Law::Background,
             TermKind::Specular => Law::Specular,
@@ -198,6 +198,10 @@ pub fn field(name: &FactName) -> String {
         }
         FactName::NDotL(light, sample) => format!("n_dot_l:{}", of_light(light, *sample)),
         FactName::RDotV(light, sample) => format!("r_dot_v:{}", of_light(light, *sample)),
+        FactName::CornerValue(kind, light, sample, corner) => {
+            let term = field(&FactName::Term(*kind, light.clone(), *sample));
+            format!("{term}.corners[{corner}].value")
+        }
         FactName::Reflectance => "boundary.reflectance".into(),
         FactName::Shines(light) => format!("light of {light}"),
         FactName::Sends(kind) => format!("sends {}", kind.letter()),

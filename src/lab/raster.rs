@@ -12,19 +12,17 @@ mod shade;
 mod table;
 
 pub use scanline::{RowSpan, ScreenBlend};
-pub use shade::ShadingModel;
 pub use table::row_table;
 
 use std::fmt;
 use std::str::FromStr;
-
-use clap::ValueEnum as _;
 
 use crate::geometry::{Hit, Intersection, Shape, Shear, Triangle};
 use crate::math::{Interval, Ray, Rgb};
 use crate::probe::NONE;
 use crate::scene::printable::excerpt;
 use crate::scene::{Scene, Settings};
+use crate::shading::ShadingModel;
 use crate::tracer::Film;
 pub(super) use projection::Projection;
 use shade::Shade;
@@ -32,8 +30,8 @@ use shade::Shade;
 /// How triangles are filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Filling {
-    /// What is computed at the corners, and what at each pixel.
-    pub shading: ShadingModel,
+    /// What is computed at the corners, and what at each pixel; `None` as the settings or the scene say, else by Phong's model.
+    pub shading: Option<ShadingModel>,
     /// How what the corners have is blended between them.
     pub blend: ScreenBlend,
 }
@@ -44,7 +42,10 @@ impl fmt::Display for Filling {
             ScreenBlend::Perspective => "",
             ScreenBlend::Affine => ", blended on the screen",
         };
-        write!(f, "{} shading, row by row{affine}", self.shading.name())
+        match self.shading {
+            Some(model) => write!(f, "{} shading, row by row{affine}", model.name()),
+            None => write!(f, "row by row{affine}"),
+        }
     }
 }
 
@@ -57,13 +58,17 @@ impl FromStr for Filling {
             Some((name, "affine")) => (name, ScreenBlend::Affine),
             _ => (text, ScreenBlend::Perspective),
         };
-        let shading = ShadingModel::from_str(name, false).map_err(|_| {
+        let named = ShadingModel::ALL.into_iter().find(|m| m.word() == name);
+        let shading = named.ok_or_else(|| {
             format!(
                 "`{}` is no way to fill triangles; there are flat, gouraud and phong, and `,affine` behind them",
                 excerpt(text)
             )
         })?;
-        Ok(Self { shading, blend })
+        Ok(Self {
+            shading: Some(shading),
+            blend,
+        })
     }
 }
 
@@ -144,9 +149,11 @@ impl Canvas<'_> {
         let Some(rows) = scanline::rows(&corners, self.screen.size.1) else {
             return;
         };
+        let model = self.filling.shading;
+        let model = model.or(scene.model(primitive, self.settings));
         let shade = Shade::new(
             (scene, self.settings),
-            self.filling.shading,
+            model.unwrap_or_default(),
             primitive,
             triangle,
         );

@@ -118,7 +118,7 @@ impl ShowMode {
         let at = laws.interaction(scene, &ray, &hit);
         match self {
             Self::T => ShownValue::Number(hit.t),
-            Self::Normal => as_color(scene.shaded((&hit, &at), effects, &mut None).normal),
+            Self::Normal => as_color(scene.shaded_with((&hit, &at), settings).normal),
             Self::Hit => {
                 let material = scene.material_at(&hit);
                 let kd = ShadingPoint::new(&at, material, effects).diffuse_color();

@@ -52,6 +52,13 @@ pub enum Term {
         /// n, the exponent.
         shininess: f64,
     },
+    /// An ambient, a diffuse or a specular term that is blended between the corners of a triangle.
+    Blended {
+        /// Its kind.
+        kind: TermKind,
+        /// The term at each corner, times the corner's weight at the hit.
+        corners: [Rgb; 3],
+    },
     /// Radiance of the background, for a ray that hit nothing.
     Background(Rgb),
 }
@@ -138,7 +145,7 @@ pub fn highlight(r_dot_v: f64, shininess: f64) -> f64 {
 }
 
 impl Term {
-    /// Product of the factors.
+    /// Product of the factors; of a blended term the sum of the corners' shares.
     #[inline]
     pub fn value(&self) -> Rgb {
         match *self {
@@ -156,6 +163,9 @@ impl Term {
                 r_dot_v,
                 shininess,
             } => ks * intensity * highlight(r_dot_v, shininess),
+            Self::Blended {
+                corners: [a, b, c], ..
+            } => a + b + c,
         }
     }
 
@@ -166,6 +176,7 @@ impl Term {
             Self::Ambient { .. } => TermKind::Ambient,
             Self::Diffuse { .. } | Self::Projected { .. } => TermKind::Diffuse,
             Self::Specular { .. } => TermKind::Specular,
+            Self::Blended { kind, .. } => *kind,
             Self::Background(_) => TermKind::Background,
         }
     }
@@ -179,7 +190,7 @@ impl Term {
     pub fn factors(&self) -> Vec<(&'static str, Factor)> {
         use Factor::{Color, Number};
         match *self {
-            Self::Emission(_) | Self::Background(_) => Vec::new(),
+            Self::Emission(_) | Self::Background(_) | Self::Blended { .. } => Vec::new(),
             Self::Ambient { ka, ia } => vec![("ka", Color(ka)), ("ambient_light", Color(ia))],
             Self::Diffuse {
                 kd,

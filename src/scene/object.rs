@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::math::{DVec2, DVec3};
+use crate::shading::ShadingModel;
 
 /// Object: a named part of the scene with one material and one or many primitives.
 #[derive(Clone, Debug)]
@@ -11,6 +12,8 @@ pub struct Object {
     pub name: String,
     /// Index of its material.
     pub material: u32,
+    /// How it is shaded, if it says so and is made of triangles and polygons.
+    pub shading: Option<ShadingModel>,
     /// The id of its first primitive.
     pub first_primitive: u32,
     /// True if it is a mesh that a transform mirrors: its triangles have their second and third corner swapped, so that they still
@@ -50,8 +53,8 @@ pub struct VertexData {
 }
 
 impl Object {
-    /// Weights of a triangle's corners in the order in which the file has these.
-    pub fn in_order_of_file(&self, [a, b, c]: [f64; 3]) -> [f64; 3] {
+    /// What a triangle's corners have, in the order in which the file has these.
+    pub fn in_order_of_file<T>(&self, [a, b, c]: [T; 3]) -> [T; 3] {
         if self.mirrored { [a, c, b] } else { [a, b, c] }
     }
 

@@ -84,6 +84,7 @@ impl ScenePart {
         part.objects.push(Object {
             name,
             material: object.material,
+            shading: object.shading,
             first_primitive: part.shapes.len() as u32,
             mirrored: object.mirrored,
             vertices: object.vertices.as_ref().map(|data| corners(data, &local)),

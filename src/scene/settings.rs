@@ -14,7 +14,7 @@ use super::limits::DEFAULT_MAX_RAYS;
 use super::{Bends, Scene};
 use crate::accel::AccelKind;
 use crate::geometry::Arithmetic;
-use crate::shading::{Effect, Effects, Fresnel};
+use crate::shading::{Effect, Effects, Fresnel, ShadingModel};
 
 /// Settings of a render.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,6 +29,8 @@ pub struct Settings {
     pub recursion: Recursion,
     /// Effects that are simulated: by default those that the scene calls for.
     pub effects: Effects,
+    /// Model by which all triangles are shaded, whatever their objects say.
+    pub shading: Option<ShadingModel>,
     /// How transparent surfaces share light between R and T.
     pub fresnel: Fresnel,
     /// Seed of all random numbers.

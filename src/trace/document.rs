@@ -24,7 +24,7 @@ pub use path::RayInTree;
 pub use settings::{AdaptiveSettings, ArithmeticSettings, DocumentSettings};
 pub use step::{TestedPrimitive, TraversalStep, VisitedChildren};
 pub use stream::{Foreseen, SampleStream, foresee, stream};
-pub use term::{TermFactors, TermValue};
+pub use term::{CornerValue, TermFactors, TermValue};
 pub use warning::{DocumentWarning, list};
 
 use crate::math::Rgb;

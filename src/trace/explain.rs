@@ -5,6 +5,7 @@
 
 mod absence;
 mod bodies;
+mod corners;
 mod end;
 mod fresnel;
 mod light_samples;

@@ -113,6 +113,8 @@ pub enum FactName {
     NDotL(String, u32),
     /// `r_dot_v` of a light's specular term.
     RDotV(String, u32),
+    /// The value of a term at a corner of a triangle, where it is blended: of the term as above, and which corner.
+    CornerValue(TermKind, Option<String>, u32, u8),
     /// `boundary.reflectance`.
     Reflectance,
     /// Whether its hit sends an R or a T ray: "yes" or "no".

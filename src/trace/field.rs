@@ -19,7 +19,7 @@ use crate::scene::printable::excerpt;
 use crate::scene::read::did_you_mean::did_you_mean;
 
 /// Names that stand for a field of the hit point.
-const OF_HIT: [&str; 12] = [
+const OF_HIT: [&str; 13] = [
     "t",
     "point",
     "object",
@@ -32,6 +32,7 @@ const OF_HIT: [&str; 12] = [
     "geometric_normal",
     "side",
     "material",
+    "shading",
 ];
 
 /// What a field holds.

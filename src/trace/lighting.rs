@@ -72,7 +72,7 @@ impl View<'_> {
     }
 
     /// The key of a node's points on area lights: its pixel, its sample and its path from the eye.
-    fn path_id(self, node: u32) -> PathId {
+    pub(super) fn path_id(self, node: u32) -> PathId {
         let tree = &self.trace.tree;
         let mut path = Vec::new();
         let mut here = tree.node(node);

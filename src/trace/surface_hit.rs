@@ -5,7 +5,7 @@ use super::tree::Outcome;
 use crate::geometry::Hit;
 use crate::math::{DVec3, Ray};
 use crate::scene::Object;
-use crate::shading::{Interaction, Material};
+use crate::shading::{Interaction, Material, ShadingModel};
 use crate::tracer::laws::Laws as _;
 
 /// A solid that is met again after this part of the coordinates has not really been left.
@@ -22,6 +22,8 @@ pub struct SurfaceHit<'a> {
     pub object: &'a Object,
     /// The number of the primitive within the object.
     pub primitive: u32,
+    /// The model by which it is shaded, if one is named.
+    pub shading: Option<ShadingModel>,
     /// The part of the shape, if it has parts.
     pub part: Option<&'a str>,
     /// Weights of a triangle's corners.
@@ -42,12 +44,12 @@ impl<'a> View<'a> {
         let scene = &self.world.scene;
         let ray = Ray::new(node.ray.origin, node.ray.direction);
         let at = self.laws().interaction(scene, &ray, &hit);
-        let effects = self.settings.effects;
         Some(SurfaceHit {
             hit,
-            at: *scene.shaded((&hit, &at), effects, &mut None),
+            at: scene.shaded_with((&hit, &at), self.settings),
             object: scene.object_of(hit.primitive),
             primitive: scene.local_index(hit.primitive),
+            shading: scene.model(hit.primitive, self.settings),
             part: scene.part_name(&hit),
             barycentric: scene.barycentric(&hit),
             gradient: scene.shapes[hit.primitive as usize].gradient(at.point, hit.part),

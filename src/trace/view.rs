@@ -36,6 +36,15 @@ impl<'a> View<'a> {
         lights.get(light as usize).map_or("", |l| l.name.as_str())
     }
 
+    /// The name of a light; of an area light with the number of a sample.
+    pub fn light_label(self, (light, sample): (u32, u32)) -> String {
+        let name = self.light_name(light);
+        if self.is_area(light) {
+            return format!("{name}, sample {sample}");
+        }
+        name.to_owned()
+    }
+
     /// The part of the pixel's brightness that a node's subtree brings, 0 to 1; for an L ray, that of the terms it let
     /// through.
     pub fn fraction(self, node: u32) -> f64 {

@@ -35,4 +35,8 @@ impl<S: LightSampler, L: Laws> LightSampler for ByLaws<'_, S, L> {
         self.laws
             .shadow_ray(self.sampler, sample, self.point, self.kind)
     }
+
+    fn sight(&self, sample: u32) -> SampledRay {
+        self.sampler.sight(sample)
+    }
 }

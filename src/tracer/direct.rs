@@ -102,7 +102,12 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
 
     /// Sends a shadow ray: true if anything is in its way. Transparent objects are, too.
     #[inline]
-    fn is_occluded(&mut self, at: &Vertex, shadow: &ShadowRay, light: (u32, u32)) -> bool {
+    pub(super) fn is_occluded(
+        &mut self,
+        at: &Vertex,
+        shadow: &ShadowRay,
+        light: (u32, u32),
+    ) -> bool {
         if !self.settings.effects.has(Effect::Shadows) {
             self.absent(RayKind::Light, light.0, Absence::EffectOff);
             return false;

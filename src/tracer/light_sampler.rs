@@ -37,6 +37,10 @@ pub trait LightSampler {
 
     /// Shadow ray number `sample`, or why none is sent.
     fn shadow_ray(&self, sample: u32) -> SampledRay;
+
+    /// Shadow ray number `sample` wherever the light is before the plane of the surface, on whichever side of N and however dark: it
+    /// asks whether the light is seen.
+    fn sight(&self, sample: u32) -> SampledRay;
 }
 
 /// Sampler of a light without area: it has one sample.
@@ -110,6 +114,10 @@ impl LightSampler for PointSampler<'_> {
         let origin = || ShadowOrigin::of(self.point);
         shadow_ray(self.settings, self.point, || self.light(0), origin)
     }
+
+    fn sight(&self, _: u32) -> SampledRay {
+        sight(self.settings, self.point, self.light(0))
+    }
 }
 
 impl<'a> AreaSampler<'a> {
@@ -173,6 +181,10 @@ impl LightSampler for AreaSampler<'_> {
         let light = || self.light(sample);
         shadow_ray(self.settings, self.point, light, || self.origin)
     }
+
+    fn sight(&self, sample: u32) -> SampledRay {
+        sight(self.settings, self.point, self.light(sample))
+    }
 }
 
 /// Shadow ray from a point to a sample of a light, or why none is sent.
@@ -198,19 +210,43 @@ fn shadow_ray(
         let cos_angle = light.cos_angle;
         return Err(Absence::OutsideCone { cos_angle });
     }
-    let ShadowOrigin { origin, offset } = origin();
+    Ok(ray_to(settings, point, (light, n_dot_l), origin()))
+}
+
+/// Shadow ray to a light that is before the surface.
+#[inline(always)]
+fn ray_to(
+    settings: &Settings,
+    point: &ShadingPoint,
+    (light, n_dot_l): (LightSample, f64),
+    ShadowOrigin { origin, offset }: ShadowOrigin,
+) -> ShadowRay {
     let arrival = (light.distance, light.cos_angle);
     let gap = settings
         .arithmetic
-        .short_of_light(at.point, offset, arrival);
-    Ok(ShadowRay {
+        .short_of_light(point.at.point, offset, arrival);
+    ShadowRay {
         ray: Ray::new(origin, light.direction),
         light: LightSample {
             distance: light.distance - gap,
             ..light
         },
         n_dot_l,
-    })
+    }
+}
+
+/// Shadow ray to a light that is before the plane of the surface.
+fn sight(settings: &Settings, point: &ShadingPoint, light: Option<LightSample>) -> SampledRay {
+    let Some(light) = light else {
+        return Err(Absence::FacingAway { n_dot_l: 0.0 });
+    };
+    let at = point.at;
+    let before = at.geometric_normal.dot(light.direction);
+    if before <= 0.0 {
+        return Err(Absence::FacingAway { n_dot_l: before });
+    }
+    let arrival = (light, at.normal.dot(light.direction));
+    Ok(ray_to(settings, point, arrival, ShadowOrigin::of(point)))
 }
 
 impl ShadowOrigin {

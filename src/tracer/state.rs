@@ -21,6 +21,8 @@ pub struct Tracer<'a, P, L = Ours> {
     pub(super) laws: L,
     /// What a pixel may spend.
     pub(super) budget: Budget,
+    /// Whether a shading model is named that surfaces may have to be shaded by.
+    pub(super) by_model: bool,
     /// Rays of the present pixel.
     pub rays: RayBudget,
     /// Rays of the present sample that limits left out.
@@ -95,6 +97,7 @@ impl<'a, P: Probe, L: Laws> Tracer<'a, P, L> {
             probe,
             laws,
             budget,
+            by_model: world.shades_by_model(settings),
             rays: RayBudget::new(budget.further_rays),
             cuts: RayCuts::default(),
             shadow_batch: ShadowBatch::default(),

@@ -79,7 +79,8 @@ impl TileBatch {
     fn trace_shadow_rays(&mut self, world: &World, settings: &Settings) {
         self.shadow.clear();
         self.lights.clear();
-        if !settings.effects.has(Effect::Shadows) {
+        // Where a model is named N at a hit is not all that decides on its shadow rays.
+        if !settings.effects.has(Effect::Shadows) || world.shades_by_model(settings) {
             return;
         }
         let (scene, mut left) = (&world.scene, MOST_SHADOW_RAYS);

@@ -5,6 +5,8 @@
 //! The terms are those of a [`ShadingPoint`]; the sum over lights is in `direct.rs`. What can be exchanged for a mistake is asked of
 //! the [`Laws`].
 
+mod gouraud;
+
 use super::laws::Laws;
 use super::state::{Path, Tracer, Vertex};
 use crate::geometry::Hit;
@@ -69,10 +71,20 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     #[inline(always)]
     fn shade(&mut self, path: &Path, surface: &NextHit) -> Rgb {
         tell!(self.probe, Event::Hit(*surface.hit));
-        let scene = &self.world.scene;
-        let material = scene.material_at(surface.hit);
+        if self.by_model {
+            return self.shade_by_model(path, surface);
+        }
         let (effects, mut flat) = (self.settings.effects, None);
-        let at = scene.shaded((surface.hit, surface.at), effects, &mut flat);
+        let of_hit = (surface.hit, surface.at);
+        let at = self.world.scene.shaded(of_hit, effects, &mut flat);
+        self.shade_point(path, surface, at)
+    }
+
+    /// Radiance of a surface by what it is at the hit point.
+    #[inline(always)]
+    fn shade_point(&mut self, path: &Path, surface: &NextHit, at: &Interaction) -> Rgb {
+        let scene = &self.world.scene;
+        let (material, effects) = (scene.material_at(surface.hit), self.settings.effects);
         let point = ShadingPoint::new(at, material, effects);
         let vertex = Vertex { path, point };
         let mut sum = Rgb::BLACK;
@@ -82,15 +94,20 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
         self.add(&mut sum, ambient);
         // What each light adds, unless something is in its way.
         self.direct_light(&mut sum, &vertex, surface.is_first);
-        // What comes from the mirrored and from the refracted direction.
+        self.add_secondary(&mut sum, &vertex, surface);
+        self.done(self.laws.returned(sum))
+    }
+
+    /// Adds what comes from the mirrored and from the refracted direction.
+    #[inline(always)]
+    fn add_secondary(&mut self, sum: &mut Rgb, vertex: &Vertex, surface: &NextHit) {
         if let Some(interface) = surface.interface {
-            self.refract(&mut sum, &vertex, interface);
+            self.refract(sum, vertex, interface);
         } else {
-            let reflected = self.laws.reflected(&point, None);
-            sum += self.secondary(&vertex, Reflected, reflected, path.media);
+            let reflected = self.laws.reflected(&vertex.point, None);
+            *sum += self.secondary(vertex, Reflected, reflected, vertex.path.media);
             self.absent(Transmitted, NONE, Absence::NoTransmission);
         }
-        self.done(self.laws.returned(sum))
     }
 
     /// Adds the reflected and the transmitted ray where media change.

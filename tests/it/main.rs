@@ -30,6 +30,7 @@ mod find;
 mod flat;
 mod formula_edges;
 mod glass_slab;
+mod gouraud;
 mod grade;
 mod grade_outputs;
 #[cfg(unix)]

@@ -1,11 +1,12 @@
 //! Scan conversion: the same triangles as the eye rays of the tracer, and what is blended between their corners.
 
 use raytree::accel::AccelKind;
-use raytree::lab::raster::{Filling, RasterPicture, ScreenBlend, ShadingModel, raster};
+use raytree::lab::raster::{Filling, RasterPicture, ScreenBlend, raster};
 use raytree::math::{DVec3, Rgb};
 use raytree::probe::{NONE, Silent};
 use raytree::scene::effects::effects;
 use raytree::scene::{self, Effect, Effects, Scene, Settings};
+use raytree::shading::ShadingModel;
 use raytree::tracer::draw;
 use raytree::world::World;
 
@@ -13,7 +14,7 @@ use crate::cli::{refused, run};
 use crate::from_text::scene as read;
 
 /// The settings of a scene with what scan conversion has: one sample in a pixel's middle, eye rays only.
-fn eye_rays_only(scene: &Scene, (width, height): (u32, u32)) -> Settings {
+pub fn eye_rays_only(scene: &Scene, (width, height): (u32, u32)) -> Settings {
     scene.settings.with(|s| {
         (s.image.width, s.image.height) = (width, height);
         s.pixel.samples = 1;
@@ -28,15 +29,15 @@ fn eye_rays_only(scene: &Scene, (width, height): (u32, u32)) -> Settings {
     })
 }
 
-fn filled(scene: &Scene, settings: &Settings, shading: ShadingModel) -> RasterPicture {
+pub fn filled(scene: &Scene, settings: &Settings, shading: ShadingModel) -> RasterPicture {
     let filling = Filling {
-        shading,
+        shading: Some(shading),
         blend: ScreenBlend::Perspective,
     };
     raster(scene, settings, filling, None)
 }
 
-fn largest_gap(a: Rgb, b: Rgb) -> f64 {
+pub fn largest_gap(a: Rgb, b: Rgb) -> f64 {
     let gaps = a.channels().into_iter().zip(b.channels());
     gaps.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
 }
@@ -67,29 +68,23 @@ fn agrees_with_the_tracer(scene: Scene, size: (u32, u32), error: f64) {
 #[test]
 fn both_ways_see_the_same() {
     for name in ["triangle", "teapot", "bunny"] {
-        let mut scene = scene::load(name).expect("a built-in scene");
-        // Without what is no triangle.
-        let triangles = |s: &Scene, i: usize| s.shapes[i].kind() == "triangle";
-        let last = (0..scene.shapes.len())
-            .rev()
-            .find(|i| triangles(&scene, *i));
-        let first = (0..scene.shapes.len()).find(|i| triangles(&scene, *i));
-        let (first, last) = (first.expect("triangles"), last.expect("triangles"));
-        if last + 1 < scene.shapes.len() || first > 0 {
-            let kept: Vec<u32> = (first as u32..=last as u32).collect();
-            let kept = kept.into_iter().filter(|i| triangles(&scene, *i as usize));
-            let all = raytree::scene::kept::Kept {
-                shapes: kept.collect(),
-                ..raytree::scene::kept::Kept::all(&scene)
-            };
-            scene = raytree::scene::part::part(&scene, &all).scene;
-        }
-        agrees_with_the_tracer(scene, (160, 120), 1e-12);
+        agrees_with_the_tracer(triangles_of(name), (160, 120), 1e-12);
     }
 }
 
+/// A built-in scene without what is no triangle.
+pub fn triangles_of(name: &str) -> Scene {
+    let scene = scene::load(name).expect("a built-in scene");
+    let is_triangle = |i: &u32| scene.shapes[*i as usize].kind() == "triangle";
+    let kept = raytree::scene::kept::Kept {
+        shapes: (0..scene.shapes.len() as u32).filter(is_triangle).collect(),
+        ..raytree::scene::kept::Kept::all(&scene)
+    };
+    raytree::scene::part::part(&scene, &kept).scene
+}
+
 /// A scene of one mesh with normals, seen from `eye` towards the origin, with the lamp in the eye.
-fn mesh(eye: [f64; 3], material: &str, mesh: &str) -> Scene {
+pub fn mesh(eye: [f64; 3], material: &str, mesh: &str) -> Scene {
     let [x, y, z] = eye;
     read(&format!(
         r#"{{"format": "raytree-scene/1", "camera": {{"eye": [{x}, {y}, {z}], "look_at": [0, 0, 0], "vertical_fov": 60}},
@@ -141,7 +136,7 @@ fn slivers_are_where_the_rays_meet_them() {
 }
 
 /// A triangle whose corners are 1 from the axis, with the normal of its plane at each.
-const TRIANGLE: &str = r#""vertices": [[1, 0, 0], [-0.5, 0.8660254037844386, 0], [-0.5, -0.8660254037844386, 0]],
+pub const TRIANGLE: &str = r#""vertices": [[1, 0, 0], [-0.5, 0.8660254037844386, 0], [-0.5, -0.8660254037844386, 0]],
     "normals": [[0, 0, 1], [0, 0, 1], [0, 0, 1]], "triangles": [[0, 1, 2]]"#;
 
 #[test]
@@ -175,7 +170,7 @@ fn affine_weights_are_off_by_the_formula() {
     let settings = eye_rays_only(&scene, (101, 81));
     let span = |blend| {
         let filling = Filling {
-            shading: ShadingModel::Phong,
+            shading: Some(ShadingModel::Phong),
             blend,
         };
         raster(&scene, &settings, filling, Some(40)).spans[0].span
@@ -194,7 +189,7 @@ fn affine_weights_are_off_by_the_formula() {
 }
 
 /// The corners of an icosahedron, each face cut into four: 80 triangles of a unit sphere, turned by an angle around y.
-fn sphere(angle: f64) -> String {
+pub fn sphere(angle: f64) -> String {
     let golden = f64::midpoint(1.0, 5.0f64.sqrt());
     let mut points: Vec<[f64; 3]> = Vec::new();
     for (a, b) in [

@@ -1,37 +1,14 @@
 //! Colours of a triangle's pixels: computed once, at the corners, or at every pixel.
 
-use clap::ValueEnum;
-
 use super::hit_at;
 use crate::geometry::Triangle;
-use crate::math::{DVec3, Ray, Rgb};
+use crate::math::{Ray, Rgb};
 use crate::scene::{Effect, Scene, Settings};
-use crate::shading::{Interaction, ShadingPoint};
+use crate::shading::{Interaction, ShadingModel, ShadingPoint};
+use crate::tracer::corners::seen_from;
+use crate::tracer::laws::Ours;
 use crate::tracer::light_sampler::{AreaSampler, LightSampler, PointSampler, ShadowRay};
 use crate::tracer::path_id::PathId;
-
-/// What is computed at the corners of a triangle, and what at each pixel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum ShadingModel {
-    /// One colour a triangle, computed in its middle with the normal of its plane
-    Flat,
-    /// Colours at the corners, with their normals; colours are blended (Gouraud 1971)
-    Gouraud,
-    /// Normals at the corners; they are blended, and a colour is computed at every pixel (Phong 1975)
-    #[default]
-    Phong,
-}
-
-impl ShadingModel {
-    /// Its name, as people say it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Flat => "flat",
-            Self::Gouraud => "Gouraud",
-            Self::Phong => "Phong",
-        }
-    }
-}
 
 /// Colours of one triangle's pixels.
 pub struct Shade<'a> {
@@ -86,26 +63,24 @@ impl<'a> Shade<'a> {
                 let [u, v, w] = weights;
                 a * u + b * v + c * w
             }
-            Known::Nothing => self.lit(&self.interaction(ray, weights, false)),
+            Known::Nothing => self.at_pixel(ray, weights),
         }
     }
 
     /// The colour at a point as the eye sees it.
     fn computed(&self, weights: [f64; 3], flat: bool) -> Rgb {
-        let [a, b, c] = self.triangle.corners;
-        let [u, v, w] = weights;
-        let eye = self.scene.camera.eye;
-        let direction = (u * a + v * b + w * c - eye).normalize_or(DVec3::Z);
-        let ray = Ray::new(eye, direction);
-        self.lit(&self.interaction(&ray, weights, flat))
+        let of = (self.scene, self.settings.effects);
+        let triangle = (self.primitive, self.triangle);
+        let at = seen_from(Ours, of, self.scene.camera.eye, triangle, weights);
+        self.lit(&if flat { at.flat() } else { at })
     }
 
-    fn interaction(&self, ray: &Ray, weights: [f64; 3], flat: bool) -> Interaction {
+    /// The colour at a pixel.
+    fn at_pixel(&self, ray: &Ray, weights: [f64; 3]) -> Rgb {
         let hit = hit_at(ray, self.primitive, self.triangle, weights);
         let at = self.scene.interaction(ray, &hit);
         let effects = self.settings.effects;
-        let at = *self.scene.shaded((&hit, &at), effects, &mut None);
-        if flat { at.flat() } else { at }
+        self.lit(self.scene.shaded((&hit, &at), effects, &mut None))
     }
 
     /// Le + Ka Ia + the sum over all lights, of which nothing is hidden; of an area light its middle stands for all.

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::scene::file::Triple;
+use crate::shading::ShadingModel;
 
 /// A shape. Shapes with the same name belong to one object.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -21,6 +22,9 @@ pub enum FlatObject {
         /// that is 0 or faces away from the viewer it is N.
         #[serde(skip_serializing_if = "Option::is_none")]
         normals: Option<[Triple; 3]>,
+        /// "gouraud" if light is computed at the corners, with their normals, and blended by the weights of the hit.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        shading: Option<ShadingModel>,
         /// If the material has a checker: u and v at the corners.
         #[serde(skip_serializing_if = "Option::is_none")]
         uvs: Option<[[f64; 2]; 3]>,

@@ -11,7 +11,7 @@ use crate::geometry::{Body, Polygon, Shape, SurfacePatch};
 use crate::math::{DVec3, Frame, Transform};
 use crate::scene::file::Triple;
 use crate::scene::{Object, Scene};
-use crate::shading::{Area, Light, LightKind, Material};
+use crate::shading::{Area, Light, LightKind, Material, ShadingModel};
 
 /// The flat scene but for its objects, of which there may be millions: see [`objects`].
 pub fn head(scene: &Scene) -> FlatScene {
@@ -154,6 +154,7 @@ impl About<'_> {
                 primitive: self.local,
                 corners: triangle.corners.map(|c| carried(c, to_world).to_array()),
                 normals: self.normals(),
+                shading: self.object.shading.filter(|m| *m == ShadingModel::Gouraud),
                 uvs: self.material.checker.map(|_| self.uvs()),
                 material,
             },
@@ -209,8 +210,11 @@ impl About<'_> {
         }
     }
 
-    /// Normals at the corners of a smooth triangle.
+    /// Normals at the corners of a smooth triangle; none where the model is flat.
     fn normals(&self) -> Option<[Triple; 3]> {
+        if self.object.shading == Some(ShadingModel::Flat) {
+            return None;
+        }
         let data = self.object.vertices.as_ref()?;
         let corners = data.normal_indices.get(self.local as usize)?;
         Some(corners.map(|i| data.normals[i as usize].to_array()))

@@ -1,7 +1,7 @@
 //! A flat scene as lines of words and numbers, for languages without a reader of JSON.
 //!
 //! A line is a kind, a name, numbers, then for a shape the name of its material, then what only some shapes have, each behind its
-//! own word (`normals`, `uvs`, `axes`). A program passes over lines, and words at the end of lines, that it does not know.
+//! own word (`normals`, `uvs`, `axes`), or the word alone (`gouraud`). A program passes over lines, and words at the end of lines, that it does not know.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -13,6 +13,7 @@ use crate::scene::Scene;
 use crate::scene::error::{Problem, SceneError};
 use crate::scene::file::Triple;
 use crate::scene::printable::is_printable;
+use crate::shading::ShadingModel;
 
 /// An error if the text form cannot say the scene. A shape that was stretched or turned takes a way to the world, and a program
 /// that passes over it would draw something else. Solids of more than a few numbers are said in JSON only.
@@ -91,6 +92,14 @@ impl Line {
             let _ = write!(self.0, " {}", x + 0.0);
         }
         self
+    }
+
+    /// A word, if there is one.
+    fn flagged(self, word: Option<&str>) -> Self {
+        match word {
+            Some(word) => self.word(word),
+            None => self,
+        }
     }
 
     /// A word and its numbers, if there are any.
@@ -195,14 +204,15 @@ fn of_object(object: &FlatObject) -> String {
             name,
             corners,
             normals,
+            shading,
             uvs,
             material,
             ..
-        } => Line::named("triangle", name)
-            .numbers(corners.iter().copied().flatten())
+        } => of_corners(name, corners)
             .word(material)
             .tagged("normals", *normals)
-            .tagged("uvs", *uvs),
+            .tagged("uvs", *uvs)
+            .flagged(shading.map(ShadingModel::word)),
         FlatObject::Sphere {
             name,
             center,
@@ -250,15 +260,18 @@ fn of_object(object: &FlatObject) -> String {
             material,
             ..
         } => Line::named("disc", name)
-            .numbers(*center)
-            .numbers(*normal)
-            .numbers([*radius])
+            .numbers(center.iter().chain(normal).chain([radius]).copied())
             .word(material)
             .tagged("axes", *axes),
         // `check_text` refuses all others.
         other => Line::named("solid", other.name()),
     };
     line.0
+}
+
+/// `triangle NAME` and its corners.
+fn of_corners(name: &str, corners: &[Triple; 3]) -> Line {
+    Line::named("triangle", name).numbers(corners.iter().copied().flatten())
 }
 
 /// `polygon NAME loops`, then for each loop the number of its corners and these.

@@ -63,6 +63,7 @@ impl SceneBuilder {
         self.scene.objects.push(Object {
             name: name.into(),
             material,
+            shading: None,
             first_primitive: self.scene.shapes.len() as u32,
             mirrored: false,
             vertices: None,

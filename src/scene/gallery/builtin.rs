@@ -1,7 +1,7 @@
 //! Scene files and models inside the program.
 
 /// Name and text of each scene, in the order in which they are listed.
-const SCENES: [(&str, &str); 17] = [
+const SCENES: [(&str, &str); 18] = [
     ("whitted", include_str!("../../../scenes/whitted.json")),
     ("triangle", include_str!("../../../scenes/triangle.json")),
     ("mirrors", include_str!("../../../scenes/mirrors.json")),
@@ -30,13 +30,15 @@ const SCENES: [(&str, &str); 17] = [
         "teapot-patches",
         include_str!("../../../scenes/teapot-patches.json"),
     ),
+    ("gouraud", include_str!("../../../scenes/gouraud.json")),
     ("solar", include_str!("../../../scenes/solar.json")),
 ];
 
 /// Name and text of each model.
-const FILES: [(&str, &str); 2] = [
+const FILES: [(&str, &str); 3] = [
     ("teapot.obj", include_str!("../../../scenes/teapot.obj")),
     ("bunny.obj", include_str!("../../../scenes/bunny.obj")),
+    ("ball.obj", include_str!("../../../scenes/ball.obj")),
 ];
 
 /// The default scene.

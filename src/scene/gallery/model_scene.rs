@@ -67,6 +67,7 @@ fn scene_file(name: &str, file: &str) -> SceneFile {
             material: None,
             transform: Vec::new(),
             file: file.to_string(),
+            shading: None,
         })],
         settings: SettingsFile::default(),
     }

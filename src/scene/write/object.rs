@@ -13,9 +13,12 @@ use crate::scene::{Leaf, Scene};
 pub fn object(scene: &Scene, number: u32) -> Result<String, String> {
     let object = &scene.objects[number as usize];
     let material = &scene.materials[object.material as usize];
-    let fields = Fields::default()
+    let mut fields = Fields::default()
         .text("name", &object.name)
         .text("material", &material.name);
+    if let Some(model) = object.shading {
+        fields = fields.text("shading", model.word());
+    }
     let written = match scene.shapes_of(number) {
         [shape] => match shape.plain() {
             Shape::Body(own) => of_body(scene, own, &object.leaves, fields.clone()),

@@ -3,12 +3,13 @@
 use super::settings::settings;
 use super::step::finite;
 use super::{
-    AbsentRay, Document, DocumentCuts, FormatVersion, GroupFrame, HitPoint, ImageSize,
+    AbsentRay, CornerValue, Document, DocumentCuts, FormatVersion, GroupFrame, HitPoint, ImageSize,
     LightSummary, MediumBoundary, PassedSurface, PixelColor, PixelIndex, PointOfLight, RayNode,
     RayOutcome, SampleTree, SceneId, TermValue, step,
 };
 use crate::math::Rgb;
-use crate::probe::{Absence, Event, NONE, RayKind, RayRecord};
+use crate::probe::{Absence, Event, NONE, RayKind, RayRecord, Term};
+use crate::trace::corner_terms::CornerTerm;
 use crate::trace::tree::Sample;
 use crate::trace::{LightEstimate, Outcome, SurfaceHit, View};
 
@@ -149,6 +150,7 @@ fn add_event(view: View, node: &mut RayNode, event: &Event) {
             sample: sample_number(view, light, sample),
             value: term.value(),
             factors: (&term).into(),
+            corners: corner_values(view, node.id, &term, (light, u32::from(sample))),
         }),
         Event::Absent {
             kind,
@@ -188,6 +190,26 @@ fn add_event(view: View, node: &mut RayNode, event: &Event) {
     }
 }
 
+/// The corners of a blended term.
+fn corner_values(
+    view: View,
+    node: u32,
+    term: &Term,
+    light: (u32, u32),
+) -> Option<Box<[CornerValue; 3]>> {
+    let Term::Blended { kind, .. } = *term else {
+        return None;
+    };
+    let corners = view.corner_terms(node, kind, light)?;
+    let value = |corner: CornerTerm| CornerValue {
+        weight: corner.weight,
+        n_dot_l: corner.n_dot_l(),
+        r_dot_v: corner.r_dot_v(),
+        value: corner.value(),
+    };
+    Some(Box::new(corners.map(value)))
+}
+
 fn outcome(outcome: Outcome) -> RayOutcome {
     match outcome {
         Outcome::Hit(_) => RayOutcome::Hit,
@@ -217,6 +239,7 @@ fn hit_point(view: View, surface: &SurfaceHit) -> HitPoint {
         normal: at.normal.to_array(),
         side: at.side,
         material: surface.material.name.clone(),
+        shading: surface.shading,
         frames: frames.collect(),
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{TermValue, TraversalStep};
 use crate::math::Rgb;
 use crate::probe::{AbsenceReason, RayKind};
-use crate::shading::Side;
+use crate::shading::{ShadingModel, Side};
 
 type Vector = [f64; 3];
 
@@ -143,6 +143,9 @@ pub struct HitPoint {
     pub side: Side,
     /// The material's name.
     pub material: String,
+    /// The model by which it is shaded, if its object or the settings name one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shading: Option<ShadingModel>,
     /// The groups that the object stands in, from the innermost outwards.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub frames: Vec<GroupFrame>,

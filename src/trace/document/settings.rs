@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::{Arithmetic, PatchMethod, QuarticMethod};
 use crate::sampling::{Filter, LightSampling, Sampler};
 use crate::scene::{Pilot, Sampling, Scene, Settings};
-use crate::shading::Fresnel;
+use crate::shading::{Fresnel, ShadingModel};
 
 /// Every knob that changes the picture, and the accelerator, which never does.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -39,6 +39,9 @@ pub struct DocumentSettings {
     pub seed: u64,
     /// The model of reflectance.
     pub fresnel: Fresnel,
+    /// The model by which all triangles were shaded; absent where each object decides.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shading: Option<ShadingModel>,
     /// Effects that the user left out: the picture is not that of the whole scene.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub without: Vec<String>,
@@ -121,6 +124,7 @@ pub fn settings(settings: &Settings, scene: &Scene) -> DocumentSettings {
         min_weight: settings.recursion.min_weight,
         seed: settings.seed,
         fresnel: settings.fresnel,
+        shading: settings.shading,
         without: settings
             .left_out(scene)
             .map(|e| e.name().to_owned())

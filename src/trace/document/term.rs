@@ -22,6 +22,26 @@ pub struct TermValue {
     /// What it is the product of.
     #[serde(flatten)]
     pub factors: TermFactors,
+    /// If it is blended between the corners of a triangle, the term at each of them, in the order of `hit.barycentric`: value is the
+    /// sum of weight x value.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub corners: Option<Box<[CornerValue; 3]>>,
+}
+
+/// A term at a corner of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CornerValue {
+    /// The corner's weight at the hit.
+    pub weight: f64,
+    /// Of lights: the cosine between the normal at the corner and the way from there to the light. Where it is negative the light is
+    /// behind the corner, and the value is black.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub n_dot_l: Option<f64>,
+    /// Specular: the cosine between the mirrored light and the viewer, at least 0, both as the corner sees them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub r_dot_v: Option<f64>,
+    /// What the term is there, without the weight.
+    pub value: Rgb,
 }
 
 /// The factors of a term, by name: those of its kind are there.

@@ -34,6 +34,7 @@ pub fn source(view: View, event: &Event) -> SourcePlace {
         Event::Term { term, .. } => match term {
             Term::Ambient { .. } => place("src/shading/point.rs", "ambient"),
             Term::Emission { .. } => place("src/shading/point.rs", "emitted"),
+            Term::Blended { .. } => place("src/tracer/corners.rs", "blended"),
             Term::Background { .. } => place("src/tracer/whitted.rs", "background"),
             _ => place("src/shading/point.rs", "eval"),
         },
@@ -110,6 +111,7 @@ mod tests {
             ("glass-block", (32, 24)),
             ("soft-shadow", (24, 36)),
             ("room", (32, 30)),
+            ("gouraud", (32, 24)),
         ] {
             for accel in AccelKind::ALL {
                 let world = World::new(load(name).expect(name), accel);

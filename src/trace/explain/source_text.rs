@@ -27,6 +27,7 @@ const FILES: &[(&str, &str)] = files![
     "src/shading/interaction.rs",
     "src/shading/optics.rs",
     "src/shading/point.rs",
+    "src/tracer/corners.rs",
     "src/tracer/direct.rs",
     "src/tracer/light_sampler.rs",
     "src/tracer/pixel/camera_sample.rs",

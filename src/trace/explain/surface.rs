@@ -5,7 +5,7 @@ use crate::geometry::{Hit, Offset};
 use crate::math::{DVec3, Ray};
 use crate::probe::NONE;
 use crate::scene::ObjectFrame;
-use crate::shading::Side;
+use crate::shading::{ShadingModel, Side};
 use crate::trace::format::{degrees, num, vec3};
 use crate::trace::{SurfaceHit, View};
 
@@ -35,6 +35,7 @@ pub fn hit(view: View, node: u32) -> Explanation {
         at,
         object,
         primitive,
+        shading,
         part,
         barycentric,
         gradient,
@@ -65,6 +66,7 @@ pub fn hit(view: View, node: u32) -> Explanation {
         )
         .row_if("part", part)
         .row("material", material.name.clone())
+        .row_if("shading", shading.map(ShadingModel::word))
         .row("N", vec3(at.normal));
     if let Some(gradient) = gradient {
         let length = num(gradient.length());

@@ -1,6 +1,7 @@
 //! Terms of the shading equation.
 
 use super::Explanation;
+use super::corners::blended;
 use crate::math::Rgb;
 use crate::probe::{Term, highlight};
 use crate::shading::{LightKind, LightSample};
@@ -35,10 +36,7 @@ pub fn weighted(weight: f64) -> String {
 }
 
 fn base_term(view: View, node: u32, term: &Term, light: (u32, u32)) -> Explanation {
-    let mut name = view.light_name(light.0).to_owned();
-    if view.is_area(light.0) {
-        name = format!("{name}, sample {}", light.1);
-    }
+    let name = view.light_label(light);
     match *term {
         Term::Ambient { ka, ia } => Explanation::new(
             "ambient term",
@@ -76,6 +74,7 @@ fn base_term(view: View, node: u32, term: &Term, light: (u32, u32)) -> Explanati
         .row("n", num(shininess))
         .row("(R.V)^n", num(highlight(r_dot_v, shininess)))
         .row("", "Ks I (R.V)^n"),
+        Term::Blended { kind, corners } => blended(view, node, (kind, corners), light),
         Term::Emission(_) => Explanation::new("emission", "The surface shines by itself."),
         Term::Background(_) => Explanation::new("background", "Behind everything stands this colour."),
     }

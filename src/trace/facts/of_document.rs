@@ -117,6 +117,10 @@ fn add_term(facts: &mut Vec<(FactName, Fact)>, term: &TermValue) {
         .map(|x| (FactName::RDotV(light(), sample), x));
     let factors = n_dot_l.into_iter().chain(r_dot_v);
     facts.extend(factors.map(|(name, x)| (name, Fact::Number(x))));
+    for (corner, i) in term.corners.iter().flat_map(|all| all.iter()).zip(0..) {
+        let name = FactName::CornerValue(term.term, term.light.clone(), sample, i);
+        facts.push((name, Fact::Color(corner.value)));
+    }
 }
 
 /// An outcome as the format names it.

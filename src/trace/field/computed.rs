@@ -64,8 +64,7 @@ fn term(view: View, id: u32, name: &str) -> Result<Value, String> {
         let rest = name.strip_prefix(own.as_str());
         let rest = rest.filter(|rest| rest.is_empty() || rest.starts_with('.'));
         if let Some(rest) = rest {
-            let factors = crate::trace::document::TermFactors::from(term);
-            let factors = serde_json::to_value(factors).map_err(|e| e.to_string())?;
+            let factors = factors(view, id, term, (*light, u32::from(*sample)))?;
             return match rest.strip_prefix('.') {
                 None => serde_json::to_value(term.value()).map_err(|e| e.to_string()),
                 Some(factor) => factors.get(factor).cloned().ok_or_else(|| {
@@ -87,6 +86,33 @@ fn term(view: View, id: u32, name: &str) -> Result<Value, String> {
         "this ray has no term {}; there are {told}",
         excerpt(name)
     ))
+}
+
+/// The factors of a term by name. A blended term has lists of what its corners have: `weight`, `n_dot_l`, `r_dot_v` and `corners`, the
+/// values there.
+fn factors(view: View, id: u32, term: &Term, light: (u32, u32)) -> Result<Value, String> {
+    let Term::Blended { kind, .. } = term else {
+        let factors = crate::trace::document::TermFactors::from(term);
+        return serde_json::to_value(factors).map_err(|e| e.to_string());
+    };
+    let corners = view.corner_terms(id, *kind, light);
+    let corners = corners.ok_or_else(|| "the corners of this term are not known".to_owned())?;
+    let mut lists = serde_json::Map::new();
+    let weights = corners.map(|corner| corner.weight).to_vec();
+    lists.insert("weight".to_owned(), weights.into());
+    let cosines = [
+        ("n_dot_l", corners.map(|corner| corner.n_dot_l())),
+        ("r_dot_v", corners.map(|corner| corner.r_dot_v())),
+    ];
+    for (name, cosines) in cosines {
+        if cosines.iter().any(Option::is_some) {
+            lists.insert(name.to_owned(), cosines.to_vec().into());
+        }
+    }
+    let values = corners.map(|corner| corner.value());
+    let values = serde_json::to_value(values).map_err(|e| e.to_string())?;
+    lists.insert("corners".to_owned(), values);
+    Ok(Value::Object(lists))
 }
 
 /// A term by its kind and its light.

@@ -69,14 +69,17 @@ pub fn terms(
     ];
     for (i, item) in listed(list, place, notes).enumerate() {
         let place = place.item(i);
-        let asked = ["term", "light", "sample", "value", "n_dot_l", "r_dot_v"];
+        let asked = [
+            "term", "light", "sample", "value", "n_dot_l", "r_dot_v", "corners",
+        ];
         // Other factors are the student's own.
         let names = FieldNames {
             asked,
             passed: &[],
             noted: false,
         };
-        let [term, light, sample, value, n_dot_l, r_dot_v] = fields(item, &names, &place, notes)?;
+        let [term, light, sample, value, n_dot_l, r_dot_v, of_corners] =
+            fields(item, &names, &place, notes)?;
         let Some(term) = term else {
             notes.wrong(&place, || "has no `term`, the name of its kind".to_owned());
             continue;
@@ -106,6 +109,34 @@ pub fn terms(
         if let Some(value) = r_dot_v {
             let fact = typed::number_fact(value, &place.key("r_dot_v"), notes);
             facts.push((FactName::RDotV(of_light(), sample), fact));
+        }
+        if let Some(list) = of_corners {
+            let of = |i| FactName::CornerValue(kind, light.clone(), sample, i);
+            corners(list, of, &place.key("corners"), notes, facts)?;
+        }
+    }
+    Ok(())
+}
+
+/// The values of a blended term at the three corners of a triangle.
+fn corners(
+    list: JsonValue,
+    of: impl Fn(u8) -> FactName,
+    place: &FieldPlace,
+    notes: &mut ReadNotes,
+    facts: &mut Facts,
+) -> Result<(), Broken> {
+    for (item, i) in listed(list, place, notes).zip(0..3) {
+        let place = place.item(usize::from(i));
+        let names = FieldNames {
+            asked: ["value"],
+            passed: &[],
+            noted: false,
+        };
+        let [value] = fields(item, &names, &place, notes)?;
+        if let Some(value) = value {
+            let fact = typed::color_fact(value, &place.key("value"), notes);
+            facts.push((of(i), fact));
         }
     }
     Ok(())

@@ -178,7 +178,7 @@ fn facts(
         part(
             hit,
             HIT,
-            &["material", "part", "gradient", "frames"],
+            &["material", "part", "gradient", "shading", "frames"],
             &place.key("hit"),
             notes,
             &mut facts,

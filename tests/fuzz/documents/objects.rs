@@ -264,6 +264,11 @@ impl Document<'_> {
                 .collect();
             mesh += &format!(", \"uvs\": [{}]", uvs.join(","));
         }
+        if self.dice.one_in(3) {
+            let words = ["flat", "gouraud", "phong", "gourad"];
+            let word = words[self.dice.below(3) + self.slip()];
+            mesh += &format!(", \"shading\": \"{word}\"");
+        }
         mesh
     }
 

@@ -180,6 +180,35 @@ fn mesh_with_bad_indices() {
 }
 
 #[test]
+fn shadings_that_are_none() {
+    let mesh = |shading: &str| {
+        let mesh = format!(
+            r#"{{"mesh": {{"name": "m", "material": "red", "vertices": [[0,0,0],[1,0,0],[0,1,0]],
+            "triangles": [[0, 1, 2]], "shading": {shading}}}}}"#
+        );
+        loaded(&mesh, &[])
+    };
+    for word in ["flat", "gouraud", "phong"] {
+        assert!(mesh(&format!("\"{word}\"")).is_ok(), "{word}");
+    }
+    for bad in ["\"gourad\"", "3", "[]"] {
+        let message = mesh(bad).expect_err(bad);
+        assert_says(&message, &["objects[0].mesh.shading", "flat"]);
+    }
+    let holed = r#"{"polygon": {"name": "p", "material": "red", "shading": "gouraud",
+        "points": [[0,0,0],[3,0,0],[3,3,0],[0,3,0]], "holes": [[[1,1,0],[2,1,0],[1,2,0]]]}}"#;
+    let message = loaded(holed, &[]).expect_err("it has a hole");
+    assert_says(
+        &message,
+        &["objects[0].polygon.shading", "holes", "mesh of triangles"],
+    );
+    assert!(loaded(&holed.replace("gouraud", "flat"), &[]).is_ok());
+    // A ball has no corners.
+    let ball = BALL.replace("\"radius\"", "\"shading\": \"flat\", \"radius\"");
+    assert_says(&loaded(&ball, &[]).expect_err("a ball"), &["shading"]);
+}
+
+#[test]
 fn zero_area_triangles_are_left_out_with_one_warning() {
     let mesh = r#"{"mesh": {"name": "m", "material": "red",
         "vertices": [[0,0,0],[1,0,0],[2,0,0],[0,1,0]],

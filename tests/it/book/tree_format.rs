@@ -16,7 +16,7 @@ const PAGE: &str = "tree-format.md";
 const ELSEWHERE: [&str; 2] = ["WarningCode", "Rgb"];
 
 /// Where the values come from, and the page says so.
-const SOURCES: [&str; 15] = [
+const SOURCES: [&str; 16] = [
     "raytree trace whitted --pixel 150,130 --traversal",
     "raytree trace glass-block --pixel 80,120",
     "raytree trace nested-glass --pixel 160,120 --change object.water.radius=1",
@@ -32,6 +32,7 @@ const SOURCES: [&str; 15] = [
     "raytree trace csg --pixel 85,150",
     "raytree trace torus --pixel 160,120",
     "raytree trace solar --pixel 190,152",
+    "raytree trace gouraud --pixel 170,120 --shading gouraud",
 ];
 
 /// Fields that no usual tree has, with the values that they can have.

@@ -84,6 +84,7 @@ fn is_in_equation(name: &FactName) -> bool {
         FactName::Term(..)
             | FactName::NDotL(..)
             | FactName::RDotV(..)
+            | FactName::CornerValue(..)
             | FactName::Weight
             | FactName::Radiance
     )

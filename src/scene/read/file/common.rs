@@ -1,6 +1,7 @@
 //! Fields that objects of all kinds have.
 
 use super::TransformStep;
+use crate::shading::ShadingModel;
 
 /// Kind of object in a scene file: the fields that all of one material share, then its own.
 macro_rules! object_file {
@@ -56,4 +57,6 @@ pub struct Common<'a> {
     pub material: Option<&'a str>,
     /// How it is placed.
     pub transform: &'a [TransformStep],
+    /// How it is shaded, if it says so.
+    pub shading: Option<ShadingModel>,
 }

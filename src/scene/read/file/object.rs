@@ -9,6 +9,7 @@ use super::solid::{
     PlaneFile, QuadricFile, QuarticFile, SphereFile, TorusFile,
 };
 use super::{Common, TransformStep, Triple};
+use crate::shading::ShadingModel;
 
 /// Something to see, or a group of such.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -70,6 +71,15 @@ impl ObjectFile {
                     name: &$object.name,
                     material: $material,
                     transform: &$object.transform,
+                    shading: None,
+                }
+            };
+        }
+        macro_rules! triangles {
+            ($kind:literal, $object:ident, $material:expr) => {
+                Common {
+                    shading: $object.shading,
+                    ..common!($kind, $object, $material)
                 }
             };
         }
@@ -77,8 +87,8 @@ impl ObjectFile {
             Self::Sphere(o) => common!("sphere", o, Some(&o.material)),
             Self::Plane(o) => common!("plane", o, Some(&o.material)),
             Self::Disc(o) => common!("disc", o, Some(&o.material)),
-            Self::Triangle(o) => common!("triangle", o, Some(&o.material)),
-            Self::Quad(o) => common!("quad", o, Some(&o.material)),
+            Self::Triangle(o) => triangles!("triangle", o, Some(&o.material)),
+            Self::Quad(o) => triangles!("quad", o, Some(&o.material)),
             Self::Box(o) => common!("box", o, Some(&o.material)),
             Self::Cylinder(o) => common!("cylinder", o, Some(&o.material)),
             Self::Cone(o) => common!("cone", o, Some(&o.material)),
@@ -91,9 +101,9 @@ impl ObjectFile {
             Self::Csg(o) => common!("csg", o, Some(&o.material)),
             Self::Bezier(o) => common!("bezier", o, Some(&o.material)),
             Self::Nurbs(o) => common!("nurbs", o, Some(&o.material)),
-            Self::Polygon(o) => common!("polygon", o, Some(&o.material)),
-            Self::Mesh(o) => common!("mesh", o, Some(&o.material)),
-            Self::Obj(o) => common!("obj", o, o.material.as_deref()),
+            Self::Polygon(o) => triangles!("polygon", o, Some(&o.material)),
+            Self::Mesh(o) => triangles!("mesh", o, Some(&o.material)),
+            Self::Obj(o) => triangles!("obj", o, o.material.as_deref()),
             Self::Group(o) => common!("group", o, None),
             Self::Use(o) => common!("use", o, o.material.as_deref()),
         }
@@ -119,6 +129,8 @@ object_file! {
         pub corners: [Triple; 3],
         /// Normals at the corners, for a look as if it were curved; any length but 0.
         pub normals: Option<[Triple; 3]>,
+        /// How it is shaded: "flat", "gouraud" or "phong"; without it by Phong's model.
+        pub shading: Option<ShadingModel>,
     }
 }
 
@@ -132,6 +144,8 @@ object_file! {
         pub u: Triple,
         /// The other edge from the same corner.
         pub v: Triple,
+        /// How it is shaded: "flat", "gouraud" or "phong"; without it by Phong's model.
+        pub shading: Option<ShadingModel>,
     }
 }
 
@@ -148,6 +162,8 @@ object_file! {
         pub normals: Option<Vec<Triple>>,
         /// Surface coordinates for each corner.
         pub uvs: Option<Vec<[f64; 2]>>,
+        /// How it is shaded: "flat", "gouraud" or "phong"; without it by Phong's model.
+        pub shading: Option<ShadingModel>,
     }
 }
 
@@ -202,6 +218,8 @@ object_file! {
         pub normals: Option<Vec<Triple>>,
         /// Surface coordinates for each vertex.
         pub uvs: Option<Vec<[f64; 2]>>,
+        /// How it is shaded: "flat", "gouraud" or "phong"; without it by Phong's model.
+        pub shading: Option<ShadingModel>,
     }
 }
 
@@ -220,6 +238,8 @@ pub struct ObjFile {
     pub transform: Vec<TransformStep>,
     /// The path of the file, from the folder of the scene file.
     pub file: String,
+    /// How it is shaded: "flat", "gouraud" or "phong"; without it by Phong's model.
+    pub shading: Option<ShadingModel>,
 }
 
 /// Objects that are placed together. Their names begin with the group's: `group/part`.

@@ -231,6 +231,7 @@ impl CsgPartFile {
                         name: &o.name,
                         material: o.material.as_deref(),
                         transform: &o.transform,
+                        shading: None,
                     },)*
                 }
             };

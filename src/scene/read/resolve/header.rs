@@ -6,6 +6,7 @@ use super::transform::to_world;
 use crate::math::Transform;
 use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::Common;
+use crate::shading::ShadingModel;
 
 /// Group that objects stand in, or use of a part.
 #[derive(Clone)]
@@ -51,6 +52,8 @@ pub struct Header<'a> {
     pub frame: Option<u32>,
     /// The material that takes the place of its own.
     pub material: Option<u32>,
+    /// How it is shaded, if it says so.
+    pub shading: Option<ShadingModel>,
     /// Its path in the file.
     pub path: FieldPath<'a>,
 }
@@ -64,6 +67,7 @@ impl<'a> Header<'a> {
             to_world: to_world(object.transform, group.to_world.as_ref(), &path)?,
             frame: group.frame,
             material: group.material,
+            shading: object.shading,
             path,
         })
     }

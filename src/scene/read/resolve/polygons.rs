@@ -14,6 +14,7 @@ use crate::scene::read::error::{FieldPath, SceneError};
 use crate::scene::read::file::{MeshFile, PolygonFile};
 use crate::scene::read::mesh::Mesh;
 use crate::scene::warning::WarningCode;
+use crate::shading::ShadingModel;
 
 /// Loops of corners, the rim first.
 pub type Loops = Vec<Vec<DVec3>>;
@@ -100,7 +101,15 @@ impl Resolver {
         let placed: Loops = loops.iter().map(|rim| placed(rim, header)).collect();
         let path = &header.path;
         let flat = self.flat_polygon(&placed, path, &header.name)?;
-        let is_plain = data.normals.is_empty() && data.uvs.is_empty();
+        // Colours are blended between the corners of triangles.
+        let is_blended = header.shading == Some(ShadingModel::Gouraud);
+        if is_blended && loops.len() > 1 {
+            return Err(path.key("shading").error(
+                "the colours of a polygon with holes cannot be blended between its corners",
+                "use a mesh of triangles, or another shading",
+            ));
+        }
+        let is_plain = data.normals.is_empty() && data.uvs.is_empty() && !is_blended;
         match (flat, loops.len()) {
             (Some(polygon), _) if is_plain => {
                 self.begin(header, material)?;
@@ -138,7 +147,9 @@ impl Resolver {
         mut mesh: Mesh,
         faces: &[Vec<u32>],
     ) -> Result<(), SceneError> {
-        let is_plain = mesh.corners.normals.is_empty() && mesh.corners.uvs.is_empty();
+        let is_plain = mesh.corners.normals.is_empty()
+            && mesh.corners.uvs.is_empty()
+            && header.shading != Some(ShadingModel::Gouraud);
         let mut flat = Vec::new();
         for (face, i) in faces.iter().zip(0..) {
             let corners: Vec<DVec3> = face.iter().map(|v| mesh.points[*v as usize]).collect();

@@ -60,9 +60,13 @@ impl Resolver {
     /// Begins an object: the shapes that follow belong to it.
     pub fn begin(&mut self, header: &Header, material: u32) -> Result<(), SceneError> {
         let Header {
-            name, path, frame, ..
+            name,
+            path,
+            frame,
+            shading,
+            ..
         } = header;
-        let frame = *frame;
+        let (frame, shading) = (*frame, *shading);
         checks::name(name, &path.key("name"))?;
         let index = self.scene.objects.len() as u32;
         if self.objects.insert(name.clone(), index).is_some() {
@@ -74,6 +78,7 @@ impl Resolver {
         self.scene.objects.push(Object {
             name: name.clone(),
             material,
+            shading,
             first_primitive: self.scene.shapes.len() as u32,
             mirrored: false,
             vertices: None,

@@ -4,7 +4,7 @@ use super::{ROW, words};
 use crate::accel::AccelKind;
 use crate::scene::settings::knob::{Field, Kind, Knob, Value};
 use crate::scene::{Effect, Effects};
-use crate::shading::Fresnel;
+use crate::shading::{Fresnel, ShadingModel};
 
 const FRESNELS: [(Fresnel, &str, &str); 3] = [
     (
@@ -14,6 +14,29 @@ const FRESNELS: [(Fresnel, &str, &str); 3] = [
     ),
     (Fresnel::Schlick, "schlick", "Schlick's approximation"),
     (Fresnel::Exact, "exact", "Fresnel's equations"),
+];
+
+const SHADINGS: [(Option<ShadingModel>, &str, &str); 4] = [
+    (
+        None,
+        "scene",
+        "As each object of the scene says: Phong's model if it says nothing",
+    ),
+    (
+        Some(ShadingModel::Flat),
+        "flat",
+        "With the normal of the triangle's plane",
+    ),
+    (
+        Some(ShadingModel::Gouraud),
+        "gouraud",
+        "At the corners, with their normals; what lights add is blended between them",
+    ),
+    (
+        Some(ShadingModel::Phong),
+        "phong",
+        "At each point, with a normal that is blended between the corners",
+    ),
 ];
 
 const ACCELS: fn() -> [(AccelKind, &'static str, &'static str); 11] =
@@ -53,6 +76,15 @@ pub const ROWS: &[Knob] = &[
         field: choice!(FRESNELS, fresnel),
         json: "fresnel",
         in_files: true,
+        ..ROW
+    },
+    Knob {
+        flag: "shading",
+        value_name: "MODEL",
+        doc: "How triangles are shaded, whatever their objects say",
+        kind: Kind::Choice(|| words(&SHADINGS)),
+        field: choice!(SHADINGS, shading),
+        json: "shading",
         ..ROW
     },
     Knob {

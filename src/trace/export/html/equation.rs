@@ -3,7 +3,7 @@
 use std::fmt::{Formatter, Result};
 
 use crate::probe::RayKind;
-use crate::trace::document::{LightSummary, RayNode, TermValue};
+use crate::trace::document::{CornerValue, LightSummary, RayNode, TermValue};
 use crate::trace::export::xml::escape;
 use crate::trace::format::{counted, num, rgb};
 
@@ -48,6 +48,15 @@ pub fn equation(f: &mut Formatter, node: &RayNode) -> Result {
 pub fn product(term: &TermValue) -> String {
     let factors = &term.factors;
     let value = rgb(term.value);
+    if let Some(corners) = &term.corners {
+        let share =
+            |corner: &CornerValue| format!("{} × {}", num(corner.weight), rgb(corner.value));
+        let shares = corners.each_ref().map(share);
+        return format!(
+            "blended between the corners: {} = {value}",
+            shares.join(" + ")
+        );
+    }
     let colors = [
         ("Ka", factors.ka),
         ("Ia", factors.ambient_light),
