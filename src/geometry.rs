@@ -16,6 +16,7 @@ pub mod polygon;
 pub mod quadric;
 pub mod quartic;
 mod shape;
+pub mod shared_mesh;
 mod spans;
 pub mod sphere;
 #[cfg(test)]
@@ -39,6 +40,7 @@ pub use shape::{
     Body, Csg, CsgCut, CsgCuts, CsgNode, CsgOp, CsgTree, HalfSpace, Naive, Polyhedron, Shape,
     Solid, Transformed,
 };
+pub use shared_mesh::{MeshSteps, SharedMesh};
 pub use spans::{Cut, Span, Spans};
 pub use sphere::Sphere;
 pub use torus::{Torus, TorusMiss, TorusSteps};

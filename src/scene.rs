@@ -8,6 +8,7 @@ mod bends;
 pub mod camera;
 pub mod check;
 pub mod effects;
+mod faces;
 mod file_id;
 pub mod flat;
 pub mod gallery;
@@ -41,7 +42,7 @@ pub use load::{
     from_json, from_stdin, is_built_in, label, list, load, load_from_memory, names, source,
     source_in_memory,
 };
-pub use object::{Leaf, Object, VertexData};
+pub use object::{Leaf, Object, VertexData, carried_normal};
 pub use object_frame::ObjectFrame;
 pub use patch::Patch;
 pub use read::error::SceneError;
@@ -163,11 +164,9 @@ impl Scene {
 
     /// Weights of a triangle's corners at a hit, in the order in which the file has them.
     pub fn barycentric(&self, hit: &Hit) -> Option<[f64; 3]> {
-        let is_triangle = matches!(
-            self.shapes[hit.primitive as usize].plain(),
-            Shape::Triangle(_)
-        );
         let object = self.object_of(hit.primitive);
+        let shape = self.shapes[hit.primitive as usize].plain();
+        let is_triangle = object.instance || matches!(shape, Shape::Triangle(_));
         is_triangle.then(|| object.in_order_of_file(hit.place))
     }
 
@@ -184,11 +183,6 @@ impl Scene {
         let first = |o: usize| self.objects.get(o).map(|o| o.first_primitive as usize);
         let end = first(object as usize + 1).unwrap_or(self.shapes.len());
         &self.shapes[first(object as usize).unwrap_or(end)..end]
-    }
-
-    /// The number of a primitive within its object, from 0.
-    pub fn local_index(&self, primitive: u32) -> u32 {
-        primitive - self.object_of(primitive).first_primitive
     }
 
     /// The name of the medium inside an object, or of the air around all.
@@ -261,11 +255,16 @@ impl Scene {
             shape => shape.surface(ray, hit.t, hit.place, hit.part),
         };
         let mut normal = None;
-        if let Some(data) = &self.object_of(hit.primitive).vertices {
-            let triangle = self.local_index(hit.primitive) as usize;
-            normal = data.normal(triangle, hit.place);
-            if let Some(uv) = data.uv(triangle, hit.place) {
-                surface.uv = uv;
+        let object = self.object_of(hit.primitive);
+        if let Some(data) = &object.vertices {
+            if object.instance {
+                normal = self.of_instance(hit, &mut surface);
+            } else {
+                let triangle = self.local_index(hit.primitive) as usize;
+                normal = data.normal(triangle, hit.place);
+                if let Some(uv) = data.uv(triangle, hit.place) {
+                    surface.uv = uv;
+                }
             }
         }
         Interaction::new(&surface, ray.direction, normal)

@@ -41,6 +41,7 @@ impl Raster {
     pub fn run(&self) -> Result<Completion, Failure> {
         let scene = self.scene.read()?;
         let [picture] = output::open(&scene.files, [self.target()])?;
+        scene.check_faces()?;
         let (world, mut settings) = self.scene.build(scene, fastest)?;
         if self.output.is_none() && self.row.is_none() && !self.scene.settings.gives("size") {
             (settings.image.width, settings.image.height) =

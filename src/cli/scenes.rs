@@ -71,6 +71,7 @@ impl Scenes {
         };
         let scene = args.read()?;
         self.notices.deny(args.label(), scene.warnings.len())?;
+        scene.check_faces()?;
         match form {
             FlatForm::Json => output::to_stdout_by(|out| flat::write_json(out, &scene))?,
             FlatForm::Text => {

@@ -15,7 +15,17 @@ pub fn crossings(shape: &Shape, ray: &Ray) -> Vec<f64> {
     if let Some(spans) = shape.spans(ray) {
         return spans.cuts().map(|(cut, _)| cut.t).collect();
     }
-    match shape.intersect(ray, &Shear::new(ray), LINE) {
+    let shear = Shear::new(ray);
+    if shape.mesh().is_some() {
+        let mut all = Vec::new();
+        let mut rest = LINE;
+        while let Intersection::Hit { t, .. } = shape.intersect(ray, &shear, rest) {
+            all.push(t);
+            rest.min = t;
+        }
+        return all;
+    }
+    match shape.intersect(ray, &shear, LINE) {
         Intersection::Hit { t, .. } | Intersection::Behind(t) | Intersection::TooFar(t) => vec![t],
         Intersection::Miss => Vec::new(),
     }

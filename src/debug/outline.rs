@@ -10,6 +10,9 @@ const MAX_OBJECTS: usize = 400;
 /// Corners that are drawn of a mesh at most.
 const MAX_CORNERS: usize = 600;
 
+/// And at least, however many meshes there are.
+const FEW_CORNERS: usize = 30;
+
 /// Objects of at most so many triangles are drawn edge by edge.
 const FEW_TRIANGLES: usize = 64;
 
@@ -33,21 +36,30 @@ pub enum ObjectOutline {
 pub fn outlines(scene: &Scene) -> Vec<ObjectOutline> {
     let starts = scene.objects.iter().map(|o| o.first_primitive as usize);
     let ends = starts.clone().skip(1).chain([scene.shapes.len()]);
+    let uses = scene.shapes.iter().filter(|s| s.mesh().is_some()).count();
+    // Many uses of meshes share the corners of ten.
+    let corners = (10 * MAX_CORNERS / uses.max(10)).max(FEW_CORNERS);
     starts
         .zip(ends)
         .take(MAX_OBJECTS)
         .filter_map(|(start, end)| scene.shapes.get(start..end))
-        .flat_map(of_object)
+        .flat_map(|shapes| of_object(shapes, corners))
         .collect()
 }
 
-fn of_object(shapes: &[Shape]) -> Vec<ObjectOutline> {
+/// The outlines of an object; of a mesh that is kept once at most so many corners.
+fn of_object(shapes: &[Shape], corners: usize) -> Vec<ObjectOutline> {
     let triangles = || {
         shapes.iter().filter_map(|shape| match shape.plain() {
             Shape::Triangle(triangle) => Some(triangle.corners),
             _ => None,
         })
     };
+    if let [shape] = shapes
+        && shape.mesh().is_some()
+    {
+        return vec![of_mesh(shape, corners)];
+    }
     let count = triangles().count();
     let mut outlines: Vec<_> = shapes
         .iter()
@@ -66,6 +78,14 @@ fn of_object(shapes: &[Shape]) -> Vec<ObjectOutline> {
     outlines
 }
 
+/// Points of a mesh that is kept once.
+fn of_mesh(shape: &Shape, most: usize) -> ObjectOutline {
+    let corners = 3 * shape.triangle_count();
+    let step = (corners as usize).div_ceil(most).max(1);
+    let corner = |i: u32| Some(shape.triangle(i / 3)?.corners[i as usize % 3]);
+    ObjectOutline::Points((0..corners).step_by(step).filter_map(corner).collect())
+}
+
 /// The outline of a single shape, a triangle included.
 pub fn of_one(shape: &Shape) -> Option<ObjectOutline> {
     match shape.plain() {
@@ -73,13 +93,14 @@ pub fn of_one(shape: &Shape) -> Option<ObjectOutline> {
             let [a, b, c] = triangle.corners;
             Some(ObjectOutline::Edges(vec![[a, b], [b, c], [c, a]]))
         }
+        _ if shape.mesh().is_some() => Some(of_mesh(shape, MAX_CORNERS)),
         _ => of_shape(shape),
     }
 }
 
 fn of_shape(shape: &Shape) -> Option<ObjectOutline> {
     match shape {
-        Shape::Triangle(_) => None,
+        Shape::Triangle(_) | Shape::Mesh(_) => None,
         Shape::Naive(naive) => of_shape(&naive.shape),
         Shape::Sphere(sphere) => Some(ObjectOutline::Sphere(sphere.center, sphere.radius)),
         Shape::Plane(plane) => Some(ObjectOutline::Plane(

@@ -142,11 +142,7 @@ fn found(session: &Session, outcome: Option<Outcome>) -> Option<String> {
     Some(match outcome? {
         Outcome::Hit(hit) | Outcome::Blocked(hit) => {
             let name = &scene.object_of(hit.primitive).name;
-            format!(
-                "`{name}` {} at t {}",
-                scene.local_index(hit.primitive),
-                hit.t
-            )
+            format!("`{name}` {} at t {}", scene.face_of(&hit), hit.t)
         }
         Outcome::Miss => "no hit".to_owned(),
         Outcome::Lit => "nothing in the way".to_owned(),

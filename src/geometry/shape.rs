@@ -2,6 +2,7 @@
 
 mod body;
 mod csg;
+mod faces;
 mod naive;
 mod transformed;
 
@@ -10,9 +11,11 @@ pub use csg::{Csg, CsgCut, CsgCuts, CsgNode, CsgOp, CsgTree, HalfSpace, Polyhedr
 pub use naive::Naive;
 pub use transformed::Transformed;
 
+use std::sync::Arc;
+
 use super::{
-    Aabb, Arithmetic, Cuboid, Disc, Intersection, Plane, Polygon, Shear, Span, Spans, Sphere,
-    SurfacePatch, SurfacePoint, Triangle,
+    Aabb, Arithmetic, Cuboid, Disc, Intersection, Plane, Polygon, SharedMesh, Shear, Span, Spans,
+    Sphere, SurfacePatch, SurfacePoint, Triangle,
 };
 use crate::math::{DVec3, Interval, Ray};
 
@@ -36,7 +39,9 @@ pub enum Shape {
     Patch(Box<SurfacePatch>),
     /// A solid with parts, or the open wall of one.
     Body(Box<Body>),
-    /// A sphere, box, disc or body that was turned or stretched: tested in its own space.
+    /// A mesh that is kept once, in its own space.
+    Mesh(Arc<SharedMesh>),
+    /// A sphere, box, disc, body or kept mesh that was turned or stretched: tested in its own space.
     Transformed(Box<Transformed>),
     /// Any of these, tested with other arithmetic: only where a user asked to see it.
     Naive(Box<Naive>),
@@ -68,6 +73,7 @@ impl Shape {
             | Self::Cuboid(_)
             | Self::Disc(_)
             | Self::Body(_)
+            | Self::Mesh(_)
             | Self::Transformed(_) => false,
         }
     }
@@ -85,6 +91,7 @@ impl Shape {
             Self::Polygon(polygon) => polygon.intersect(ray, shear, interval),
             Self::Patch(patch) => patch.intersect(shear, interval),
             Self::Body(body) => body.intersect(ray, interval),
+            Self::Mesh(mesh) => mesh.intersect(ray, interval),
             Self::Transformed(transformed) => transformed.intersect(ray, interval),
             Self::Naive(naive) => naive.intersect(ray, shear, interval),
         }
@@ -106,6 +113,7 @@ impl Shape {
                 crossings.iter().find(|c| c.t == t).map(|c| c.enters)
             }
             Self::Body(body) => body.enters(ray, t),
+            Self::Mesh(mesh) => mesh.enters(ray, t),
             Self::Transformed(transformed) => transformed.enters(ray, t),
             Self::Naive(naive) if naive.arithmetic == Arithmetic::default() => {
                 naive.shape.enters(ray, shear, t)
@@ -127,7 +135,8 @@ impl Shape {
             | Self::Plane(_)
             | Self::Disc(_)
             | Self::Polygon(_)
-            | Self::Patch(_) => None,
+            | Self::Patch(_)
+            | Self::Mesh(_) => None,
             Self::Transformed(moved) => moved.shape.spans(&moved.transform.ray_to_object(ray)),
             Self::Naive(naive) => naive.shape.spans(ray),
         }
@@ -142,7 +151,8 @@ impl Shape {
             | Self::Plane(_)
             | Self::Disc(_)
             | Self::Polygon(_)
-            | Self::Patch(_) => false,
+            | Self::Patch(_)
+            | Self::Mesh(_) => false,
             Self::Transformed(transformed) => transformed.shape.is_solid(),
             Self::Naive(naive) => naive.shape.is_solid(),
         }
@@ -150,13 +160,13 @@ impl Shape {
 
     /// True if a line may cross the shape more than once.
     pub fn is_crossed_often(&self) -> bool {
-        self.is_solid() || matches!(self.plain(), Self::Patch(_))
+        self.is_solid() || matches!(self.plain(), Self::Patch(_)) || self.mesh().is_some()
     }
 
     /// True for a solid that every line crosses twice at most.
     pub fn is_convex(&self) -> bool {
         match self {
-            Self::Body(_) => false,
+            Self::Body(_) | Self::Mesh(_) => false,
             Self::Transformed(transformed) => transformed.shape.is_convex(),
             Self::Naive(naive) => naive.shape.is_convex(),
             other => other.is_solid(),
@@ -173,7 +183,8 @@ impl Shape {
             | Self::Plane(_)
             | Self::Disc(_)
             | Self::Polygon(_)
-            | Self::Patch(_) => 0.0,
+            | Self::Patch(_)
+            | Self::Mesh(_) => 0.0,
             Self::Transformed(moved) => moved.shape.volume() * moved.transform.volume_ratio(),
             Self::Naive(naive) => naive.shape.volume(),
         }
@@ -190,6 +201,7 @@ impl Shape {
             Self::Polygon(polygon) => polygon.surface(ray, t),
             Self::Patch(patch) => patch.surface([place[0], place[1]]),
             Self::Body(body) => body.surface(ray, t, part),
+            Self::Mesh(mesh) => mesh.surface(place, part),
             Self::Transformed(transformed) => transformed.surface(ray, t, place, part),
             Self::Naive(naive) => naive.surface(ray, t, place, part),
         }
@@ -225,6 +237,7 @@ impl Shape {
             Self::Polygon(polygon) => Some(polygon.bounds()),
             Self::Patch(patch) => Some(patch.bounds()),
             Self::Body(body) => Some(body.bounds()),
+            Self::Mesh(mesh) => Some(mesh.bounds()),
             Self::Transformed(transformed) => transformed.bounds(),
             Self::Naive(naive) => naive.bounds(),
         }
@@ -238,6 +251,7 @@ impl Shape {
             | Self::Cuboid(_)
             | Self::Body(_)
             | Self::Patch(_)
+            | Self::Mesh(_)
             | Self::Transformed(_) => false,
             Self::Naive(naive) => naive.shape.is_flat(),
         }
@@ -254,6 +268,7 @@ impl Shape {
             Self::Polygon(_) => "polygon",
             Self::Patch(_) => "patch",
             Self::Body(body) => body.kind(),
+            Self::Mesh(_) => "mesh",
             Self::Transformed(transformed) => transformed.shape.kind(),
             Self::Naive(naive) => naive.shape.kind(),
         }

@@ -153,7 +153,7 @@ impl<'a> Walk<'a> {
         if let Some(hit) = &traced {
             let object = &world.scene.object_of(hit.primitive).name;
             facts.push((FactName::Object, Fact::Word(object.clone())));
-            let index = world.scene.local_index(hit.primitive);
+            let index = world.scene.face_of(hit);
             facts.push((FactName::Primitive, Fact::Number(f64::from(index))));
             facts.push((FactName::T, Fact::Number(hit.t / length)));
         }

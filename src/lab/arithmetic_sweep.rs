@@ -18,7 +18,7 @@ pub fn parameters(shapes: &[Shape], base: &Settings, leaves: bool) -> Vec<Parame
     }
     let any = |is: fn(&Shape) -> bool| shapes.iter().any(|shape| is(inner(shape)));
     let choices = [
-        ("triangle", any(|shape| matches!(shape, Shape::Triangle(_)))),
+        ("triangle", any(|shape| shape.triangle_count() > 0)),
         ("offset", leaves),
         ("quadratic", any(is_of_second_degree)),
         ("quartic", any(is_of_fourth_degree)),

@@ -17,8 +17,8 @@ pub use table::row_table;
 use std::fmt;
 use std::str::FromStr;
 
-use crate::geometry::{Hit, Intersection, Shape, Shear, Triangle};
-use crate::math::{Interval, Ray, Rgb};
+use crate::geometry::{Hit, Intersection, Shear, Triangle};
+use crate::math::{DVec3, Interval, Ray, Rgb};
 use crate::probe::NONE;
 use crate::scene::printable::excerpt;
 use crate::scene::{Scene, Settings};
@@ -89,6 +89,8 @@ pub struct RasterPicture {
 pub struct FilledSpan {
     /// The triangle, by its primitive's id.
     pub primitive: u32,
+    /// Its number within its object.
+    pub number: u32,
     /// Its ends.
     pub span: RowSpan,
     /// Colours at its ends.
@@ -132,11 +134,18 @@ pub fn raster(
             left_out: Vec::new(),
         },
     };
-    for (primitive, shape) in scene.shapes.iter().enumerate() {
-        let primitive = primitive as u32;
-        match shape.plain() {
-            Shape::Triangle(triangle) => canvas.fill(scene, primitive, triangle, row),
-            _ => canvas.raster.left_out.push(primitive),
+    for (primitive, shape) in (0..).zip(&scene.shapes) {
+        if shape.triangle_count() == 0 {
+            canvas.raster.left_out.push(primitive);
+        }
+        for (part, triangle) in (0..).zip(shape.triangles()) {
+            let face = ScreenFace {
+                primitive,
+                part,
+                turned: shape.is_mirror_image(),
+                triangle,
+            };
+            canvas.fill(scene, &face, row);
         }
     }
     canvas.raster
@@ -144,31 +153,27 @@ pub fn raster(
 
 impl Canvas<'_> {
     /// Fills a triangle row by row.
-    fn fill(&mut self, scene: &Scene, primitive: u32, triangle: &Triangle, row: Option<u32>) {
-        let corners = self.screen.polygon(triangle);
+    fn fill(&mut self, scene: &Scene, face: &ScreenFace, row: Option<u32>) {
+        let corners = self.screen.polygon(&face.triangle);
         let Some(rows) = scanline::rows(&corners, self.screen.size.1) else {
             return;
         };
         let model = self.filling.shading;
-        let model = model.or(scene.model(primitive, self.settings));
-        let shade = Shade::new(
-            (scene, self.settings),
-            model.unwrap_or_default(),
-            primitive,
-            triangle,
-        );
+        let model = model.or(scene.model(face.primitive, self.settings));
+        let shade = Shade::new((scene, self.settings), model.unwrap_or_default(), face);
         for y in rows {
             let Some(span) = RowSpan::of(&corners, y, self.filling.blend) else {
                 continue;
             };
-            let [covered, drawn] = self.fill_row((primitive, triangle), &shade, &span, y);
+            let [covered, drawn] = self.fill_row(face, &shade, &span, y);
             if row == Some(y) && covered > 0 {
                 let colors = [span.from.x, span.to.x].map(|x| {
                     let ray = self.screen.ray(x, y);
                     shade.color(&ray, span.at(x).weights)
                 });
                 self.raster.spans.push(FilledSpan {
-                    primitive,
+                    primitive: face.primitive,
+                    number: scene.face_of(&face.hit(0.0, [0.0; 3])),
                     span,
                     colors,
                     covered,
@@ -179,18 +184,12 @@ impl Canvas<'_> {
     }
 
     /// Fills the pixels of a row whose middles are inside of the triangle; gives their number, and how many are nearest.
-    fn fill_row(
-        &mut self,
-        (primitive, triangle): (u32, &Triangle),
-        shade: &Shade,
-        span: &RowSpan,
-        y: u32,
-    ) -> [u32; 2] {
+    fn fill_row(&mut self, face: &ScreenFace, shade: &Shade, span: &RowSpan, y: u32) -> [u32; 2] {
         let (mut covered, mut drawn) = (0, 0);
         for x in span.pixels(self.screen.size.0) {
             let middle = f64::from(x) + 0.5;
             let ray = self.screen.ray(middle, y);
-            if !covers(triangle, &ray) {
+            if !covers(&face.triangle, &ray) {
                 continue;
             }
             covered += 1;
@@ -199,7 +198,7 @@ impl Canvas<'_> {
             if here.inverse_depth > self.nearest[index] {
                 drawn += 1;
                 self.nearest[index] = here.inverse_depth;
-                self.raster.primitives[index] = primitive;
+                self.raster.primitives[index] = face.primitive;
                 self.raster.film.pixels[index] = shade.color(&ray, here.weights);
             }
         }
@@ -213,15 +212,38 @@ fn covers(triangle: &Triangle, ray: &Ray) -> bool {
     matches!(met, Intersection::Hit { .. })
 }
 
-/// The hit of a triangle at a point that is given by the weights of its corners.
-fn hit_at(ray: &Ray, primitive: u32, triangle: &Triangle, weights: [f64; 3]) -> Hit {
-    let [a, b, c] = triangle.corners;
-    let [u, v, w] = weights;
-    let point = u * a + v * b + w * c;
-    Hit {
-        t: (point - ray.origin).dot(ray.direction),
-        primitive,
-        part: 0,
-        place: weights,
+/// Triangle on its way to the screen.
+struct ScreenFace {
+    primitive: u32,
+    /// Its number in a mesh that is kept once.
+    part: u32,
+    /// True if it is a mirror image whose second and third corner were swapped.
+    turned: bool,
+    triangle: Triangle,
+}
+
+impl ScreenFace {
+    /// The hit at a point that is given by the weights of the corners.
+    fn hit_at(&self, ray: &Ray, weights: [f64; 3]) -> Hit {
+        self.hit(
+            (self.point(weights) - ray.origin).dot(ray.direction),
+            weights,
+        )
+    }
+
+    /// The point that is given by the weights of the corners.
+    fn point(&self, weights: [f64; 3]) -> DVec3 {
+        let [a, b, c] = self.triangle.corners;
+        let [u, v, w] = weights;
+        u * a + v * b + w * c
+    }
+
+    fn hit(&self, t: f64, [u, v, w]: [f64; 3]) -> Hit {
+        Hit {
+            t,
+            primitive: self.primitive,
+            part: self.part,
+            place: if self.turned { [u, w, v] } else { [u, v, w] },
+        }
     }
 }

@@ -73,8 +73,10 @@ fn of_task(course: &Course, task: &str, folder: &str) -> Result<Vec<(String, Vec
             let text = course.files.text(&path).map_err(|e| e.to_string())?;
             files.push((format!("{folder}/{short}"), text.as_bytes().to_vec()));
         }
+        let whole = &scene.world.scene;
+        whole.check_faces().map_err(|e| e.to_string())?;
         let mut flat = Vec::new();
-        write_json(&mut flat, &scene.world.scene).map_err(|e| e.to_string())?;
+        write_json(&mut flat, whole).map_err(|e| e.to_string())?;
         files.push((format!("{folder}/{flat_name}"), flat));
     }
     files.sort();

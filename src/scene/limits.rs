@@ -13,6 +13,10 @@ pub const MAX_CHANGED_SHAPES: usize = 200_000;
 pub const MAX_PATCH_BYTES: usize = 64 << 10;
 /// Triangles and other shapes of a scene.
 pub const MAX_PRIMITIVES: usize = 2_000_000;
+/// Triangles of a mesh in a part up to which each use has triangles of its own; a larger one is kept once.
+pub const FEW_TRIANGLES: usize = 64;
+/// How much a transform may magnify rounding (|M| |M^-1|) where a mesh in a part is kept once.
+pub const MAX_CONDITION: f64 = 4096.0;
 /// Lights of a scene: each costs a shadow ray at every hit.
 pub const MAX_LIGHTS: usize = 1000;
 /// Groups inside groups.

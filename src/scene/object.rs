@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, Transform};
 use crate::shading::ShadingModel;
 
 /// Object: a named part of the scene with one material and one or many primitives.
@@ -20,7 +20,10 @@ pub struct Object {
     /// run counter-clockwise.
     pub mirrored: bool,
     /// Normals and texture coordinates at its corners, if it is a mesh that has any.
-    pub vertices: Option<VertexData>,
+    pub vertices: Option<Arc<VertexData>>,
+    /// True if its one shape is a use of a mesh that is kept once: then the part of a hit is the triangle, and `vertices` are in
+    /// the space of that mesh, shared by all its uses.
+    pub instance: bool,
     /// The leaves of a solid that is cut from others.
     pub leaves: Vec<Leaf>,
     /// Index of the frame of the group that it stands in.
@@ -41,7 +44,7 @@ pub struct Leaf {
 pub struct VertexData {
     /// Per triangle of the object: the three indices into `normals`. Empty for a flat mesh.
     pub normal_indices: Vec<[u32; 3]>,
-    /// Unit normals in world space. The parts of a model share theirs.
+    /// Unit normals in world space, or that of a mesh that is kept once. The parts of a model share theirs.
     pub normals: Arc<Vec<DVec3>>,
     /// Per triangle of the object: the three indices into `uvs`. Empty if it has none.
     pub uv_indices: Vec<[u32; 3]>,
@@ -65,7 +68,23 @@ impl Object {
     }
 }
 
+/// A corner's normal in the world; one of zero stands for none. `mirror` is the map's [`Transform::axis_mirror`], which keeps the length
+/// of a normal, to the bit.
+pub fn carried_normal(n: DVec3, map: &Transform, mirror: Option<DVec3>) -> DVec3 {
+    match mirror {
+        _ if n == DVec3::ZERO => n,
+        Some(signs) => n * signs,
+        None => map.normal(n),
+    }
+}
+
 impl VertexData {
+    /// To be shared; `None` if the corners carry nothing.
+    pub fn unless_plain(self) -> Option<Arc<Self>> {
+        let plain = self.normal_indices.is_empty() && self.uv_indices.is_empty();
+        (!plain).then(|| Arc::new(self))
+    }
+
     /// Shading normal at barycentric coordinates, interpolated between the corners (Phong 1975): unit, or `None` if the mesh
     /// is flat or they cancel out.
     pub fn normal(&self, triangle: usize, barycentric: [f64; 3]) -> Option<DVec3> {

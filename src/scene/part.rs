@@ -1,6 +1,7 @@
 //! Part of a scene: a scene of the shapes and lights that are kept, as its file will have them.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::kept::Kept;
 use super::{Object, Scene, VertexData};
@@ -87,7 +88,11 @@ impl ScenePart {
             shading: object.shading,
             first_primitive: part.shapes.len() as u32,
             mirrored: object.mirrored,
-            vertices: object.vertices.as_ref().map(|data| corners(data, &local)),
+            vertices: match &object.vertices {
+                Some(data) if !object.instance => Some(Arc::new(corners(data, &local))),
+                all => all.clone(),
+            },
+            instance: object.instance,
             leaves: object.leaves.clone(),
             frame: object.frame,
         });

@@ -73,13 +73,13 @@ fn triangles(leaves: &[Shape], squares: u32, object: &mut Object) -> Vec<Shape> 
             grid.add(patch, squares);
         }
     }
-    object.vertices = Some(VertexData {
+    object.vertices = Some(Arc::new(VertexData {
         normal_indices: grid.corners.clone(),
         normals: Arc::new(grid.normals),
         uv_indices: grid.corners,
         uvs: Arc::new(grid.uvs),
         of_surface: true,
-    });
+    }));
     grid.triangles
 }
 

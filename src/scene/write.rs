@@ -12,12 +12,14 @@ mod light;
 mod material;
 mod mesh;
 mod object;
+mod parts;
 mod patches;
 mod settings;
 mod solid;
 
 use crate::scene::Scene;
 use fields::{Fields, quoted};
+use parts::WrittenParts;
 
 /// The text of a scene file, or what cannot be written, and why. Materials that no object has are left out.
 pub fn scene_file(scene: &Scene, note: &str) -> Result<String, String> {
@@ -35,9 +37,13 @@ pub fn scene_file(scene: &Scene, note: &str) -> Result<String, String> {
         .collect();
     let lights = scene.lights.iter().map(|l| light::light(scene, l));
     let lights = lights.collect::<Result<Vec<String>, String>>()?;
-    let objects = (0..scene.objects.len() as u32).map(|o| object::object(scene, o));
+    let mut parts = WrittenParts::default();
+    let objects = (0..scene.objects.len() as u32).map(|o| match parts.use_of(scene, o) {
+        Some(text) => Ok(text),
+        None => object::object(scene, o),
+    });
     let objects = objects.collect::<Result<Vec<String>, String>>()?;
-    let head = Fields::default()
+    let mut head = Fields::default()
         .text("format", "raytree-scene/1")
         .text("name", &scene.name)
         .text("note", note)
@@ -45,7 +51,11 @@ pub fn scene_file(scene: &Scene, note: &str) -> Result<String, String> {
         .color("background", scene.background)
         .color("ambient", scene.ambient)
         .raw("materials", &list(&materials, ['{', '}']))
-        .raw("lights", &list(&lights, ['[', ']']))
+        .raw("lights", &list(&lights, ['[', ']']));
+    if !parts.texts.is_empty() {
+        head = head.raw("parts", &list(&parts.texts, ['{', '}']));
+    }
+    let head = head
         .raw("objects", &list(&objects, ['[', ']']))
         .raw("settings", &settings::settings(&scene.settings));
     Ok(head.lines())

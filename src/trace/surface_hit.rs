@@ -48,7 +48,7 @@ impl<'a> View<'a> {
             hit,
             at: scene.shaded_with((&hit, &at), self.settings),
             object: scene.object_of(hit.primitive),
-            primitive: scene.local_index(hit.primitive),
+            primitive: scene.face_of(&hit),
             shading: scene.model(hit.primitive, self.settings),
             part: scene.part_name(&hit),
             barycentric: scene.barycentric(&hit),
@@ -78,12 +78,16 @@ impl<'a> View<'a> {
         else {
             return false;
         };
-        let left = match self.trace.tree.node(parent).outcome {
-            Some(Outcome::Hit(left)) => left.primitive,
-            _ => return false,
+        let Some(Outcome::Hit(left)) = self.trace.tree.node(parent).outcome else {
+            return false;
         };
         let close = CLOSE * this.ray.origin.abs().max_element();
         let shape = &self.world.scene.shapes[hit.primitive as usize];
-        hit.primitive == left && (shape.is_flat() || hit.t <= close)
+        let is_same = hit.primitive == left.primitive;
+        match shape.mesh() {
+            // Its triangles are flat, and others of them may be near.
+            Some(_) => is_same && hit.part == left.part,
+            None => is_same && (shape.is_flat() || hit.t <= close),
+        }
     }
 }

@@ -7,13 +7,13 @@
 use super::by_laws::ByLaws;
 use super::laws::Laws;
 use super::light_sampler::{LightSampler, SampledRay};
-use crate::geometry::{Hit, Shape, Triangle};
+use crate::geometry::Hit;
 use crate::math::{DVec3, Ray, Rgb};
 use crate::probe::{Absence, Term, TermKind};
 use crate::scene::{Effects, Scene, Settings};
 use crate::shading::{Interaction, LightKind, Material, ShadingModel, ShadingPoint};
 
-/// HitCorners of the triangle of a hit, as the ray's origin sees them, in the order in which the file has them.
+/// Corners of the triangle of a hit, as the ray's origin sees them, in the order in which the file has them.
 #[derive(Clone, Copy, Debug)]
 pub struct HitCorners {
     at: [Interaction; 3],
@@ -29,30 +29,23 @@ pub struct CornerPoints<'a> {
     pub weights: [f64; 3],
 }
 
-/// Point of a triangle with these weights of its corners, as it is seen from `origin`.
+/// Point of a triangle as it is seen from `origin`. `hit` says which triangle, and where on it the point is.
 pub fn seen_from<L: Laws>(
     laws: L,
     (scene, effects): (&Scene, Effects),
     origin: DVec3,
-    (primitive, triangle): (u32, &Triangle),
-    weights: [f64; 3],
+    (point, hit): (DVec3, Hit),
 ) -> Interaction {
-    let [a, b, c] = triangle.corners;
-    let [u, v, w] = weights;
-    let way = u * a + v * b + w * c - origin;
+    let way = point - origin;
     let ray = Ray::new(origin, way.normalize_or(DVec3::Z));
-    let hit = Hit {
-        t: way.dot(ray.direction),
-        primitive,
-        part: 0,
-        place: weights,
-    };
+    let t = way.dot(ray.direction);
+    let hit = Hit { t, ..hit };
     let at = laws.interaction(scene, &ray, &hit);
     *scene.shaded((&hit, &at), effects, &mut None)
 }
 
 impl HitCorners {
-    /// HitCorners of the triangle that a ray from `origin` hits, if light is blended between them; `None` for other shapes and models.
+    /// Corners of the triangle that a ray from `origin` hits, if light is blended between them; `None` for other shapes and models.
     pub fn of<L: Laws>(
         laws: L,
         (scene, settings): (&Scene, &Settings),
@@ -62,13 +55,18 @@ impl HitCorners {
         if scene.model(hit.primitive, settings) != Some(ShadingModel::Gouraud) {
             return None;
         }
-        let Shape::Triangle(triangle) = scene.shapes[hit.primitive as usize].plain() else {
-            return None;
+        let shape = &scene.shapes[hit.primitive as usize];
+        let [a, b, c] = shape.triangle(hit.part)?.corners;
+        // In the order of the hit's weights.
+        let points = if shape.is_mirror_image() {
+            [a, c, b]
+        } else {
+            [a, b, c]
         };
         let corner = |i: usize| {
-            let weights = std::array::from_fn(|j| f64::from(i == j));
+            let place = std::array::from_fn(|j| f64::from(i == j));
             let of = (scene, settings.effects);
-            seen_from(laws, of, origin, (hit.primitive, triangle), weights)
+            seen_from(laws, of, origin, (points[i], Hit { place, ..*hit }))
         };
         let object = scene.object_of(hit.primitive);
         Some(Self {

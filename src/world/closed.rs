@@ -28,7 +28,14 @@ pub fn closing(shapes: &[Shape]) -> Closing {
             }
             Shape::Polygon(polygon) => edges.extend(polygon.edges().map(directed)),
             Shape::Patch(patch) => patches.push((**patch).clone()),
-            other => sheets |= !other.is_solid(),
+            other => match other.mesh() {
+                // A map that can be undone keeps it closed.
+                Some((mesh, _)) => edges.extend(mesh.triangles().iter().flat_map(|triangle| {
+                    let [a, b, c] = triangle.corners;
+                    [[a, b], [b, c], [c, a]].map(directed)
+                })),
+                None => sheets |= !other.is_solid(),
+            },
         }
     }
     edges.sort_unstable();

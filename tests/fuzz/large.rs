@@ -2,7 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use raytree::accel::AccelKind;
+use raytree::scene::load_from_memory;
+use raytree::world::World;
+
 use super::laws::{Case, catch_panics};
+use super::memory::counted;
 use super::on_one_thread;
 
 const CORNERS: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
@@ -180,4 +185,36 @@ fn memory_and_work_grow_with_the_file_and_no_faster() {
             "{name}: {less} bytes become {more}"
         );
     }
+}
+
+/// The triangles of a model in a part are kept once, however often the part is used.
+#[test]
+fn a_thousand_uses_of_a_model_take_hardly_more_memory_than_one() {
+    let peak = |uses: usize| {
+        let used = (0..uses).map(|i| {
+            format!("{{\"use\": {{\"name\": \"u{i}\", \"part\": \"p\", \"transform\": [{{\"translate\": [{i}, 0, 0]}}]}}}}")
+        });
+        let text = format!(
+            "{{\"format\": \"raytree-scene/1\", \"camera\": {{\"eye\": [0, 1, 5], \"look_at\": [0, 1, 0]}},
+            \"materials\": {{\"a\": {{}}}}, \"parts\": {{\"p\": [{{\"obj\": {{\"name\": \"b\", \"material\": \"a\",
+            \"file\": \"b.obj\"}}}}]}}, \"objects\": [{}]}}",
+            used.collect::<Vec<_>>().join(",")
+        );
+        let bunny = include_bytes!("../../scenes/bunny.obj").to_vec();
+        let files = [
+            ("s.json".to_owned(), text.into_bytes()),
+            ("b.obj".to_owned(), bunny),
+        ];
+        on_one_thread(|| {
+            let (world, memory) = counted(|| {
+                let scene = load_from_memory("s.json", files.into_iter().collect());
+                World::new(scene.expect("a scene"), AccelKind::Wide)
+            });
+            assert_eq!(world.scene.shapes.len(), uses);
+            memory.peak
+        })
+    };
+    let [one, all] = [1, 1000].map(peak);
+    // Names, transforms, boxes of the accelerator and the text of the uses.
+    assert!(all < one + 1000 * 3000, "{one} and {all} bytes");
 }

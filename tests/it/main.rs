@@ -39,6 +39,7 @@ mod hard_cases;
 mod hello;
 mod hooks;
 mod html;
+mod instances;
 mod knobs;
 mod laws;
 mod lesson_features;

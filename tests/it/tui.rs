@@ -332,10 +332,11 @@ fn broken_world() {
         world.scene.materials.clear();
     } else {
         for object in &mut world.scene.objects {
-            object.vertices = Some(VertexData {
+            let broken = VertexData {
                 normal_indices: vec![[9; 3]; 2],
                 ..VertexData::default()
-            });
+            };
+            object.vertices = Some(broken.into());
         }
     }
     let options = Options {

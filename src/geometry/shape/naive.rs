@@ -9,7 +9,7 @@ use crate::geometry::arithmetic::{
     Arithmetic, Offset, Precision, Quadratic, TriangleTest, flat, quartic as fourth, real, sphere,
     triangle,
 };
-use crate::geometry::{Aabb, Intersection, Shear, SurfacePoint};
+use crate::geometry::{Aabb, Intersection, Shear, SurfacePoint, Triangle};
 use crate::math::rounding::gamma;
 use crate::math::{DVec3, Interval, Ray};
 
@@ -40,30 +40,18 @@ impl Naive {
         interval: Interval,
     ) -> Intersection {
         let Arithmetic {
-            triangle,
             quadratic,
             precision,
             ..
         } = self.arithmetic;
         match (shape, precision) {
-            (Shape::Triangle(corners), precision) => match (triangle, precision) {
-                (TriangleTest::PlaneEdges, Precision::Single) => {
-                    triangle::plane_edges::<f32>(corners, ray, interval)
-                }
-                (TriangleTest::PlaneEdges, Precision::Double) => {
-                    triangle::plane_edges::<f64>(corners, ray, interval)
-                }
-                (TriangleTest::MollerTrumbore, Precision::Single) => {
-                    triangle::moller_trumbore::<f32>(corners, ray, interval)
-                }
-                (TriangleTest::MollerTrumbore, Precision::Double) => {
-                    triangle::moller_trumbore::<f64>(corners, ray, interval)
-                }
-                (TriangleTest::Watertight, Precision::Single) => {
-                    triangle::watertight(corners, ray, interval)
-                }
-                (TriangleTest::Watertight, Precision::Double) => corners.intersect(shear, interval),
-            },
+            (Shape::Triangle(corners), _) => self.intersect_triangle(corners, ray, shear, interval),
+            (Shape::Mesh(mesh), _) => {
+                let shear = &Shear::new(ray);
+                mesh.intersect_with(ray, interval, |corners| {
+                    self.intersect_triangle(corners, ray, shear, interval)
+                })
+            }
             (Shape::Sphere(ball), precision) => match (quadratic, precision) {
                 (Quadratic::Naive, Precision::Single) => sphere::school::<f32>(ball, ray, interval),
                 (Quadratic::Naive, Precision::Double) => sphere::school::<f64>(ball, ray, interval),
@@ -83,6 +71,33 @@ impl Naive {
             }
             (Shape::Body(body), _) => self.intersect_body(body, ray, interval),
             (other, _) => other.intersect(ray, shear, interval),
+        }
+    }
+
+    fn intersect_triangle(
+        &self,
+        corners: &Triangle,
+        ray: &Ray,
+        shear: &Shear,
+        interval: Interval,
+    ) -> Intersection {
+        match (self.arithmetic.triangle, self.arithmetic.precision) {
+            (TriangleTest::PlaneEdges, Precision::Single) => {
+                triangle::plane_edges::<f32>(corners, ray, interval)
+            }
+            (TriangleTest::PlaneEdges, Precision::Double) => {
+                triangle::plane_edges::<f64>(corners, ray, interval)
+            }
+            (TriangleTest::MollerTrumbore, Precision::Single) => {
+                triangle::moller_trumbore::<f32>(corners, ray, interval)
+            }
+            (TriangleTest::MollerTrumbore, Precision::Double) => {
+                triangle::moller_trumbore::<f64>(corners, ray, interval)
+            }
+            (TriangleTest::Watertight, Precision::Single) => {
+                triangle::watertight(corners, ray, interval)
+            }
+            (TriangleTest::Watertight, Precision::Double) => corners.intersect(shear, interval),
         }
     }
 

@@ -76,6 +76,9 @@ fn files(
 ) -> Result<Vec<(Blank, String, Vec<u8>)>, String> {
     let cannot = |what: String| format!("scene {}: {what}", scene.label);
     let mut files = Vec::new();
+    if command.has(Blank::Flat) || command.has(Blank::FlatText) {
+        scene.world.scene.check_faces().map_err(|e| e.to_string())?;
+    }
     if command.has(Blank::Scene) {
         let (name, bytes) = scene_file(&scene.path).map_err(cannot)?;
         files.push((Blank::Scene, name, bytes));

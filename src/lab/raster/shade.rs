@@ -1,7 +1,6 @@
 //! Colours of a triangle's pixels: computed once, at the corners, or at every pixel.
 
-use super::hit_at;
-use crate::geometry::Triangle;
+use super::ScreenFace;
 use crate::math::{Ray, Rgb};
 use crate::scene::{Effect, Scene, Settings};
 use crate::shading::{Interaction, ShadingModel, ShadingPoint};
@@ -14,8 +13,7 @@ use crate::tracer::path_id::PathId;
 pub struct Shade<'a> {
     scene: &'a Scene,
     settings: &'a Settings,
-    primitive: u32,
-    triangle: &'a Triangle,
+    face: &'a ScreenFace,
     known: Known,
 }
 
@@ -34,14 +32,12 @@ impl<'a> Shade<'a> {
     pub fn new(
         (scene, settings): (&'a Scene, &'a Settings),
         model: ShadingModel,
-        primitive: u32,
-        triangle: &'a Triangle,
+        face: &'a ScreenFace,
     ) -> Self {
         let mut shade = Self {
             scene,
             settings,
-            primitive,
-            triangle,
+            face,
             known: Known::Nothing,
         };
         shade.known = match model {
@@ -70,14 +66,14 @@ impl<'a> Shade<'a> {
     /// The colour at a point as the eye sees it.
     fn computed(&self, weights: [f64; 3], flat: bool) -> Rgb {
         let of = (self.scene, self.settings.effects);
-        let triangle = (self.primitive, self.triangle);
-        let at = seen_from(Ours, of, self.scene.camera.eye, triangle, weights);
+        let seen = (self.face.point(weights), self.face.hit(0.0, weights));
+        let at = seen_from(Ours, of, self.scene.camera.eye, seen);
         self.lit(&if flat { at.flat() } else { at })
     }
 
     /// The colour at a pixel.
     fn at_pixel(&self, ray: &Ray, weights: [f64; 3]) -> Rgb {
-        let hit = hit_at(ray, self.primitive, self.triangle, weights);
+        let hit = self.face.hit_at(ray, weights);
         let at = self.scene.interaction(ray, &hit);
         let effects = self.settings.effects;
         self.lit(self.scene.shaded((&hit, &at), effects, &mut None))
@@ -86,7 +82,7 @@ impl<'a> Shade<'a> {
     /// Le + Ka Ia + the sum over all lights, of which nothing is hidden; of an area light its middle stands for all.
     fn lit(&self, at: &Interaction) -> Rgb {
         let (scene, settings) = (self.scene, self.settings);
-        let material = scene.material_of(self.primitive);
+        let material = scene.material_of(self.face.primitive);
         let point = ShadingPoint::new(at, material, settings.effects);
         let mut sum = Rgb::BLACK;
         for term in [point.emitted(), point.ambient(scene.ambient)] {

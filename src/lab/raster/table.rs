@@ -12,7 +12,7 @@ use crate::scene::printable::printable;
 pub fn row_table(scene: &Scene, row: u32, drawn: &RasterPicture) -> String {
     let name = |span: &FilledSpan| {
         let object = printable(&scene.object_of(span.primitive).name);
-        format!("{object} {}", scene.local_index(span.primitive))
+        format!("{object} {}", span.number)
     };
     let names: Vec<String> = drawn.spans.iter().map(name).collect();
     let longest = names.iter().map(|name| name.chars().count()).max();

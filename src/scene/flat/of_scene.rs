@@ -7,7 +7,7 @@ use super::{
     FlatCamera, FlatChecker, FlatFormat, FlatLight, FlatMaterial, FlatObject, FlatScene,
     FlatSettings,
 };
-use crate::geometry::{Body, Polygon, Shape, SurfacePatch};
+use crate::geometry::{Body, Hit, Polygon, Shape, SurfacePatch};
 use crate::math::{DVec3, Frame, Transform};
 use crate::scene::file::Triple;
 use crate::scene::{Object, Scene};
@@ -42,17 +42,32 @@ pub fn head(scene: &Scene) -> FlatScene {
     }
 }
 
-/// The shapes of a scene, in its order.
+/// The shapes of a scene, in its order. A mesh that is kept once stands there as its triangles, as often as it is used: see
+/// [`Scene::check_faces`].
 pub fn objects(scene: &Scene) -> impl Iterator<Item = FlatObject> {
-    (0..scene.shapes.len() as u32).map(|primitive| {
-        let about = About {
-            scene,
-            object: scene.object_of(primitive),
-            name: &scene.object_of(primitive).name,
-            material: scene.material_of(primitive),
-            local: scene.local_index(primitive),
-        };
-        about.shape(&scene.shapes[primitive as usize], None)
+    (0..scene.shapes.len() as u32).flat_map(move |primitive| {
+        let shape = &scene.shapes[primitive as usize];
+        let faces = shape.mesh().map_or(1, |_| shape.triangle_count());
+        (0..faces).filter_map(move |part| {
+            let hit = Hit {
+                t: 0.0,
+                primitive,
+                part,
+                place: [0.0; 3],
+            };
+            let about = About {
+                scene,
+                object: scene.object_of(primitive),
+                name: &scene.object_of(primitive).name,
+                material: scene.material_of(primitive),
+                hit,
+                local: scene.face_of(&hit),
+            };
+            match shape.mesh() {
+                Some(_) => about.shape(&Shape::Triangle(shape.triangle(part)?), None),
+                None => about.shape(shape, None),
+            }
+        })
     })
 }
 
@@ -139,16 +154,18 @@ struct About<'s> {
     /// The name of the object, or of a part of it.
     name: &'s str,
     material: &'s Material,
+    /// Where it stands in the scene.
+    hit: Hit,
     /// Its number within the object.
     local: u32,
 }
 
 impl About<'_> {
     /// A shape, in its own space if there is a way `to_world` from there that it does not survive.
-    fn shape(&self, shape: &Shape, to_world: Option<&Transform>) -> FlatObject {
+    fn shape(&self, shape: &Shape, to_world: Option<&Transform>) -> Option<FlatObject> {
         let name = self.name.to_owned();
         let material = self.material.name.clone();
-        match shape {
+        Some(match shape {
             Shape::Triangle(triangle) => FlatObject::Triangle {
                 name,
                 primitive: self.local,
@@ -204,10 +221,12 @@ impl About<'_> {
                 to_world: to_world.map(rows),
                 material,
             },
-            Shape::Transformed(moved) => self.shape(&moved.shape, Some(&moved.transform)),
+            Shape::Transformed(moved) => self.shape(&moved.shape, Some(&moved.transform))?,
             // How it is tested is no part of the scene.
-            Shape::Naive(naive) => self.shape(&naive.shape, to_world),
-        }
+            Shape::Naive(naive) => self.shape(&naive.shape, to_world)?,
+            // It stands there as its triangles.
+            Shape::Mesh(_) => return None,
+        })
     }
 
     /// Normals at the corners of a smooth triangle; none where the model is flat.
@@ -215,9 +234,18 @@ impl About<'_> {
         if self.object.shading == Some(ShadingModel::Flat) {
             return None;
         }
-        let data = self.object.vertices.as_ref()?;
-        let corners = data.normal_indices.get(self.local as usize)?;
-        Some(corners.map(|i| data.normals[i as usize].to_array()))
+        let normals = self.scene.corner_normals(&self.hit)?;
+        Some(self.turned(normals.map(|n| n.to_array())))
+    }
+
+    /// What the corners of a triangle have, in the order in which it has them in the world.
+    fn turned<T>(&self, [a, b, c]: [T; 3]) -> [T; 3] {
+        let shape = &self.scene.shapes[self.hit.primitive as usize];
+        if shape.is_mirror_image() {
+            [a, c, b]
+        } else {
+            [a, b, c]
+        }
     }
 
     /// Surface coordinates at the corners of a triangle; without its own they are the weights of b and c.
@@ -226,7 +254,7 @@ impl About<'_> {
             let corners = data.uv_indices.get(self.local as usize)?;
             Some(corners.map(|i| data.uvs[i as usize].to_array()))
         });
-        own.unwrap_or([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+        self.turned(own.unwrap_or([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))
     }
 
     /// Where u and v run, if it can be seen.

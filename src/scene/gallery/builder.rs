@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::geometry::{Shape, Triangle};
 use crate::math::{DVec3, Rgb};
-use crate::scene::{Camera, Object, Scene, Settings, VertexData};
+use crate::scene::{Camera, Object, Scene, Settings};
 use crate::shading::{Light, LightKind, Material};
 
 /// Scene in the making: an object is begun, then its shapes are added.
@@ -67,6 +67,7 @@ impl SceneBuilder {
             first_primitive: self.scene.shapes.len() as u32,
             mirrored: false,
             vertices: None,
+            instance: false,
             leaves: Vec::new(),
             frame: None,
         });
@@ -96,7 +97,7 @@ impl SceneBuilder {
         let Some(object) = self.scene.objects.last_mut() else {
             return 0;
         };
-        let vertices = object.vertices.get_or_insert_with(VertexData::default);
+        let vertices = Arc::make_mut(object.vertices.get_or_insert_default());
         Arc::make_mut(&mut vertices.normals).push(normal);
         vertices.normals.len() as u32 - 1
     }
@@ -106,7 +107,7 @@ impl SceneBuilder {
         self.triangle(corners);
         let vertices = self.scene.objects.last_mut().map(|o| &mut o.vertices);
         if let Some(Some(vertices)) = vertices {
-            vertices.normal_indices.push(normals);
+            Arc::make_mut(vertices).normal_indices.push(normals);
         }
     }
 

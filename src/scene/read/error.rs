@@ -116,6 +116,11 @@ impl<'a> FieldPath<'a> {
         }
     }
 
+    /// The path as text.
+    pub fn text(&self) -> &str {
+        &self.path
+    }
+
     /// The field `key` of the object at this path.
     pub fn key(&self, key: &str) -> Self {
         let dot = if self.path.is_empty() { "" } else { "." };

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use crate::geometry::Triangle;
 use crate::math::{DVec2, DVec3, Transform};
-use crate::scene::VertexData;
+use crate::scene::{VertexData, carried_normal};
 
 /// Points, triangles between them, and what the corners of those carry.
 #[derive(Clone, Debug, Default)]
@@ -21,14 +22,21 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Moves its points and normals. A mirror along the axes keeps the length of a normal, to the bit.
+    /// Its triangles.
+    pub fn corners_of_all(&self) -> impl Iterator<Item = Triangle> {
+        let corners = |t: &[u32; 3]| t.map(|i| self.points[i as usize]);
+        self.triangles.iter().map(move |t| Triangle {
+            corners: corners(t),
+        })
+    }
+
+    /// Moves its points and normals.
     pub fn place(&mut self, map: &Transform) {
         let points = Arc::make_mut(&mut self.points);
         points.par_iter_mut().for_each(|p| *p = map.point(*p));
         let mirror = map.axis_mirror();
-        let normals = Arc::make_mut(&mut self.corners.normals).iter_mut();
-        for n in normals.filter(|n| **n != DVec3::ZERO) {
-            *n = mirror.map_or_else(|| map.normal(*n), |signs| *n * signs);
+        for n in Arc::make_mut(&mut self.corners.normals) {
+            *n = carried_normal(*n, map, mirror);
         }
     }
 

@@ -6,6 +6,8 @@ mod camera;
 mod checks;
 mod csg;
 mod header;
+mod instances;
+mod kept_meshes;
 mod light;
 mod material;
 mod mesh;
@@ -33,6 +35,7 @@ use crate::scene::{Scene, check};
 use camera::camera;
 use checks::color;
 use header::Group;
+use kept_meshes::KeptMeshes;
 use material::material;
 use part_list::PartList;
 use resolver::Resolver;
@@ -63,6 +66,7 @@ pub fn resolve(mut file: SceneFile, label: &str, files: Files) -> Result<Scene, 
         objects: HashMap::new(),
         materials: HashMap::new(),
         placed: 0,
+        kept: KeptMeshes::default(),
         files,
         warnings: Warnings::default(),
     };

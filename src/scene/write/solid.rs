@@ -46,12 +46,12 @@ pub fn solid(shape: &Shape, fields: Fields) -> Option<(&'static str, Fields)> {
             ("polygon", fields)
         }
         Shape::Body(own) => return body(own, fields),
-        Shape::Triangle(_) | Shape::Patch(_) => return None,
+        Shape::Triangle(_) | Shape::Patch(_) | Shape::Mesh(_) => return None,
     })
 }
 
 /// The steps of a transform: one, of any affine map.
-fn matrix(transform: &Transform) -> String {
+pub fn matrix(transform: &Transform) -> String {
     let map = transform.to_world();
     let [x, y, z] = map.matrix3.transpose().to_cols_array_2d();
     let row = |r: [f64; 3], moved: f64| [r[0], r[1], r[2], moved];

@@ -175,7 +175,7 @@ fn add_event(view: View, node: &mut RayNode, event: &Event) {
         Event::Passed { hit, medium } => node.passed.push(PassedSurface {
             t: hit.t,
             object: scene.object_of(hit.primitive).name.clone(),
-            primitive: scene.local_index(hit.primitive),
+            primitive: scene.face_of(&hit),
             medium: scene.medium_name(medium).to_owned(),
         }),
         Event::Visit(visit) => node.traversal.push(step::visit(view.world, &visit)),

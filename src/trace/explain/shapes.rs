@@ -1,10 +1,13 @@
 //! The arithmetic of a ray's test against a shape: from the numbers of the shape and of the ray to each crossing.
 
 use super::{Explanation, bodies, patches};
-use crate::geometry::{Cuboid, Disc, Plane, Polygon, Shape, Shear, Sphere, Triangle};
-use crate::math::{DVec3, Ray};
+use crate::geometry::{
+    Cuboid, Disc, Intersection, MeshSteps, Plane, Polygon, Shape, SharedMesh, Shear, Sphere,
+    Triangle,
+};
+use crate::math::{DVec3, Interval, Ray};
 use crate::scene::Leaf;
-use crate::trace::format::{num, vec3};
+use crate::trace::format::{counted, num, vec3};
 
 /// Adds the arithmetic of a test. A shape in a space of its own is tested there. `parts` are those of a csg.
 pub fn add(explanation: Explanation, (shape, parts): (&Shape, &[Leaf]), ray: &Ray) -> Explanation {
@@ -17,6 +20,7 @@ pub fn add(explanation: Explanation, (shape, parts): (&Shape, &[Leaf]), ray: &Ra
         Shape::Patch(patch) => patches::add(explanation, patch, &Shear::new(ray)),
         Shape::Body(body) => bodies::add(explanation, (body, parts), ray),
         Shape::Polygon(polygon) => self::polygon(explanation, polygon, ray),
+        Shape::Mesh(mesh) => self::mesh(explanation, mesh, ray),
         Shape::Transformed(transformed) => {
             let own = transformed.transform.ray_to_object(ray);
             let explanation = explanation
@@ -108,6 +112,26 @@ fn triangle(explanation: Explanation, triangle: &Triangle, ray: &Ray) -> Explana
         "weights of a, b, c",
         format!("each over their sum: {}", weights.join(", ")),
     )
+}
+
+/// The search in a mesh that is kept once, and the test of the triangle that it found.
+fn mesh(explanation: Explanation, mesh: &SharedMesh, ray: &Ray) -> Explanation {
+    let MeshSteps { boxes, triangles } = mesh.steps(ray, Interval::FORWARD);
+    let all = mesh.triangles().len() as u64;
+    let explanation = explanation
+        .row("mesh", format!("{}, kept once", counted(all, "triangle")))
+        .row(
+            "search in it",
+            format!("{boxes} boxes looked at, {triangles} of its triangles tested"),
+        );
+    let Intersection::Hit { part, .. } = mesh.intersect(ray, Interval::FORWARD) else {
+        return explanation.row("", "the ray meets none");
+    };
+    let explanation = explanation.row("triangle met", format!("number {part}"));
+    match mesh.triangles().get(part as usize) {
+        Some(found) => triangle(explanation, found, ray),
+        None => explanation,
+    }
 }
 
 fn sphere(explanation: Explanation, sphere: &Sphere, ray: &Ray) -> Explanation {

@@ -85,6 +85,7 @@ fn intersection(kind: &str) -> SourcePlace {
         "torus" => "src/geometry/torus.rs",
         "quartic" => "src/geometry/quartic.rs",
         "csg" => "src/geometry/shape/csg.rs",
+        "mesh" => "src/geometry/shared_mesh.rs",
         "patch" => "src/geometry/patch.rs",
         _ => "src/geometry/shape.rs",
     };

@@ -21,6 +21,7 @@ const FILES: &[(&str, &str)] = files![
     "src/geometry/disc.rs",
     "src/geometry/plane.rs",
     "src/geometry/shape.rs",
+    "src/geometry/shared_mesh.rs",
     "src/geometry/sphere.rs",
     "src/geometry/triangle.rs",
     "src/scene/camera.rs",

@@ -41,7 +41,11 @@ pub fn hit(view: View, node: u32) -> Explanation {
         gradient,
         material,
     } = surface;
-    let shape = &view.world.scene.shapes[hit.primitive as usize];
+    let kind = match barycentric {
+        // A mesh that is kept once is met at one of them.
+        Some(_) => "triangle",
+        None => view.world.scene.shapes[hit.primitive as usize].kind(),
+    };
     let side = match at.side {
         Side::Front => "from outside",
         Side::Back => "from inside",
@@ -49,8 +53,7 @@ pub fn hit(view: View, node: u32) -> Explanation {
     let met = Explanation::new(
         format!("hit `{}`", object.name),
         format!(
-            "The closest thing on the ray is the {} {primitive} of `{}`, met {side} after {} m.",
-            shape.kind(),
+            "The closest thing on the ray is the {kind} {primitive} of `{}`, met {side} after {} m.",
             object.name,
             num(hit.t)
         ),

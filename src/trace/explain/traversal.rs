@@ -137,6 +137,7 @@ fn tested_with(naive: &Naive) -> String {
     } = naive.arithmetic;
     let algorithm = match naive.shape {
         Shape::Triangle(_) => format!("{}, ", triangle.name()),
+        ref shape if shape.mesh().is_some() => format!("{}, ", triangle.name()),
         Shape::Sphere(_) => format!("quadratic {}, ", quadratic.name()),
         Shape::Body(ref body) => match **body {
             Body::Quadric(_) | Body::BoxedQuadric(_) => format!("quadratic {}, ", quadratic.name()),

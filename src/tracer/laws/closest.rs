@@ -62,6 +62,14 @@ fn test(bend: Bend, shape: &Shape, ray: &Ray, shear: &Shear, interval: Interval)
             let (t, place) = by_slide(triangle, ray)?;
             interval.contains(t).then_some((t, place, 0))
         }
+        (Bend::EdgePlaneSlide, Shape::Mesh(mesh)) => {
+            let all = mesh.triangles().iter().zip(0..);
+            let met = all.filter_map(|(triangle, part)| {
+                let (t, place) = by_slide(triangle, ray)?;
+                interval.contains(t).then_some((t, place, part))
+            });
+            met.min_by(|a, b| a.0.total_cmp(&b.0))
+        }
         (_, Shape::Body(body)) if solids::exchanges(bend, body) => {
             let cut = solids::first_crossing(bend, body, ray, interval)?;
             Some((cut.t, [0.0; 3], cut.part))

@@ -96,8 +96,7 @@ fn facing(normal: DVec3, direction: DVec3) -> f64 {
 
 /// The corner normals of a smooth mesh, weighed and added.
 fn blended(scene: &Scene, hit: &Hit, weights: [f64; 3]) -> Option<DVec3> {
-    let vertices = scene.object_of(hit.primitive).vertices.as_ref()?;
-    vertices.blended_normal(scene.local_index(hit.primitive) as usize, weights)
+    scene.blended_normal(hit, weights)
 }
 
 /// Origin of a ray that leaves a hit point.

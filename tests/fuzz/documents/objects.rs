@@ -242,7 +242,9 @@ impl Document<'_> {
     fn mesh(&mut self) -> String {
         let count = 3 + self.dice.few(30);
         let vertices: Vec<_> = (0..count).map(|_| self.vector()).collect();
-        let triangles: Vec<_> = (0..self.dice.few(60))
+        // More than 64 are kept once in a part.
+        let least = if self.dice.one_in(8) { 65 } else { 0 };
+        let triangles: Vec<_> = (0..least + self.dice.few(60))
             .map(|_| {
                 let most = count + self.slip();
                 let corner = |d: &mut Self| d.dice.below(most);

@@ -36,8 +36,8 @@ impl About<'_> {
             ..*self
         };
         Some(match csg.leaves().nth(number as usize)? {
-            Solid::Shape(shape) => about.shape(shape, None),
-            Solid::HalfSpace(space) => about.shape(&Shape::Plane(Box::new(space.plane)), None),
+            Solid::Shape(shape) => about.shape(shape, None)?,
+            Solid::HalfSpace(space) => about.shape(&Shape::Plane(Box::new(space.plane)), None)?,
             Solid::Polyhedron(polyhedron) => {
                 let (points, triangles) = polyhedron.mesh();
                 FlatObject::Polyhedron {

@@ -54,6 +54,8 @@ pub struct Header<'a> {
     pub material: Option<u32>,
     /// How it is shaded, if it says so.
     pub shading: Option<ShadingModel>,
+    /// True if it stands in a part.
+    pub in_part: bool,
     /// Its path in the file.
     pub path: FieldPath<'a>,
 }
@@ -68,6 +70,7 @@ impl<'a> Header<'a> {
             frame: group.frame,
             material: group.material,
             shading: object.shading,
+            in_part: !group.inside.is_empty(),
             path,
         })
     }

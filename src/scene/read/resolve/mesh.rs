@@ -39,6 +39,20 @@ impl Resolver {
                 object.mirrored = true;
             }
         }
+        let mesh = self.checked(header, mesh);
+        let points = &mesh.points;
+        let triangle = |t: &[u32; 3]| Triangle {
+            corners: t.map(|i| points[i as usize]),
+        };
+        self.add_triangles(&mesh.triangles, triangle, &header.path)?;
+        if let Some(object) = self.scene.objects.last_mut() {
+            object.vertices = mesh.corners.unless_plain();
+        }
+        Ok(())
+    }
+
+    /// The mesh without triangles that have no area, with warnings about these and about normals on the back.
+    pub fn checked(&mut self, header: &Header, mesh: Mesh) -> Mesh {
         let Mesh {
             points,
             mut triangles,
@@ -85,13 +99,12 @@ impl Resolver {
             leave_out(&flat, &mut corners.normal_indices);
             leave_out(&flat, &mut corners.uv_indices);
         }
-        drop(lines);
-        self.add_triangles(&triangles, triangle, &header.path)?;
-        let plain = corners.normal_indices.is_empty() && corners.uv_indices.is_empty();
-        if let Some(object) = self.scene.objects.last_mut() {
-            object.vertices = (!plain).then_some(corners);
+        Mesh {
+            points,
+            triangles,
+            lines: Vec::new(),
+            corners,
         }
-        Ok(())
     }
 }
 

@@ -39,13 +39,24 @@ impl Resolver {
         let path = path.key(common.kind);
         self.count_placed(group, &path)?;
         check::rotations(common.transform, &path, &mut self.warnings);
-        let own = surface(object, &path)?;
+        // A mesh that is kept was checked where it was first used.
+        let is_known = matches!(object, ObjectFile::Mesh(_)) && self.kept.has_mesh(&path);
+        let own = if is_known {
+            None
+        } else {
+            surface(object, &path)?
+        };
         let header = Header::new(&common, group, path)?;
         let own_material = match common.material {
             Some(name) => Some(self.material(name, &header.path)?),
             None => None,
         };
         let material = group.material.or(own_material);
+        let own = match material.filter(|_| is_known) {
+            Some(material) if self.use_again(&header, material, 0)? => return Ok(()),
+            Some(_) => surface(object, &header.path)?,
+            None => own,
+        };
         match (object, own, material) {
             (ObjectFile::Group(file), ..) => {
                 let inner = self.inner(&header, &file.transform, group);

@@ -175,6 +175,12 @@ impl Resolver {
                 }
             }
         }
+        if flat.is_empty() && self.keeps(header, material, mesh.triangles.len()) {
+            match self.keep(header, material, (0, mesh))? {
+                Some(few) => mesh = few,
+                None => return Ok(()),
+            }
+        }
         self.add_mesh(header, material, mesh)?;
         for polygon in flat {
             self.add_shape(Shape::Polygon(Box::new(polygon)), &header.path)?;

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::checks;
 use super::header::Header;
+use super::kept_meshes::KeptMeshes;
 use crate::geometry::{Shape, Triangle};
 use crate::math::DVec3;
 use crate::scene::limits::{MAX_COORDINATE, MAX_PRIMITIVES};
@@ -26,6 +27,8 @@ pub struct Resolver {
     pub materials: HashMap<String, u32>,
     /// Objects and groups in parts so far, counted at each use.
     pub placed: usize,
+    /// Meshes and models of parts.
+    pub kept: KeptMeshes,
     /// The files that the scene names.
     pub files: Files,
     /// What was strange so far.
@@ -82,6 +85,7 @@ impl Resolver {
             first_primitive: self.scene.shapes.len() as u32,
             mirrored: false,
             vertices: None,
+            instance: false,
             leaves: Vec::new(),
             frame,
         });
@@ -154,8 +158,9 @@ impl Resolver {
         self.scene
     }
 
-    fn check_count(&self, more: usize, path: &FieldPath) -> Result<(), SceneError> {
-        if self.scene.shapes.len() + more <= MAX_PRIMITIVES {
+    /// Refuses so many more shapes, if they are too many. Of a mesh that is kept once the triangles count once.
+    pub fn check_count(&self, more: usize, path: &FieldPath) -> Result<(), SceneError> {
+        if self.scene.shapes.len() + self.kept.triangles + more <= MAX_PRIMITIVES {
             return Ok(());
         }
         Err(path.error(
