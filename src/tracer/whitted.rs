@@ -23,22 +23,27 @@ impl<P: Probe, L: Laws> Tracer<'_, P, L> {
     /// Radiance that comes back along a ray.
     pub(super) fn radiance(&mut self, path: &mut Path) -> Rgb {
         self.tell_ray(path);
-        let (hit, at);
-        let closest = if let Some(pixel) = path.prefetched {
-            pixel.hit()
-        } else if let Some(found) = self.laws.closest(self.world, &path.ray, self.probe) {
-            hit = found;
-            at = self.laws.interaction(&self.world.scene, &path.ray, &hit);
-            Some((&hit, &at))
-        } else {
-            None
+        if let Some(pixel) = path.prefetched {
+            return match pixel.hit() {
+                Some(closest) => self.radiance_of_hit(path, closest),
+                None => self.background(),
+            };
+        }
+        let closest = self.laws.closest(self.world, &path.ray, self.probe);
+        let Some(hit) = &closest else {
+            return self.background();
         };
-        match closest {
-            None => self.background(),
-            Some((hit, at)) if self.world.contact(hit.primitive) == Contact::None => {
-                self.shade(path, &NextHit::opaque(hit, at))
-            }
-            Some(closest) => self.radiance_among_media(path, closest),
+        let at = self.laws.interaction(&self.world.scene, &path.ray, hit);
+        self.radiance_of_hit(path, (hit, &at))
+    }
+
+    /// Radiance of a ray with this closest hit. (Never inlined, so that the hit stays where it was made.)
+    #[inline(never)]
+    fn radiance_of_hit(&mut self, path: &mut Path, (hit, at): (&Hit, &Interaction)) -> Rgb {
+        if self.world.contact(hit.primitive) == Contact::None {
+            self.shade(path, &NextHit::opaque(hit, at))
+        } else {
+            self.radiance_among_media(path, (hit, at))
         }
     }
 

@@ -11,7 +11,8 @@ use raytree::probe::Silent;
 use raytree::reduce::{Kept, part};
 use raytree::scene::flat;
 use raytree::scene::write::scene_file;
-use raytree::scene::{self, Scene};
+use raytree::scene::{self, Scene, Settings};
+use raytree::shading::ShadingModel;
 use raytree::trace::explain::explain;
 use raytree::trace::{Counts, Outcome, View, ledger, trace_pixel};
 use raytree::tracer::{draw, render};
@@ -127,15 +128,21 @@ fn trees_close_and_rays_leave_their_surfaces() {
     let scene = in_parts(&PLACES);
     let settings = small(&scene, (48, 36));
     let world = World::new(scene, AccelKind::Wide);
-    let film = draw(&world, &settings, 2);
+    for model in [None, Some(ShadingModel::Gouraud)] {
+        trees_close(&world, &settings.with(|s| s.shading = model));
+    }
+}
+
+fn trees_close(world: &World, settings: &Settings) {
+    let film = draw(world, settings, 2);
     let mut met = 0;
     for (x, y) in (0..48 * 36).map(|i| (i % 48, i / 48)) {
-        let trace = trace_pixel(&world, &settings, (x, y), true);
+        let trace = trace_pixel(world, settings, (x, y), true);
         assert_eq!(trace.pixel.color, film.at(x, y), "({x}, {y})");
         assert_eq!(ledger::first_open(&trace.tree), None);
         let view = View {
-            world: &world,
-            settings: &settings,
+            world,
+            settings,
             trace: &trace,
         };
         for node in 0..trace.tree.nodes.len() as u32 {

@@ -269,6 +269,7 @@ impl PixelEstimator {
     }
 
     /// The estimate from all its samples.
+    #[inline]
     pub fn finish(&mut self, settings: &Settings) -> &Pixel {
         self.pixel.error = self.standard_error();
         if self.pending.is_some() {

@@ -7,6 +7,7 @@ use raytree::math::Ray;
 use raytree::math::rounding::UNIT_ROUNDOFF;
 use raytree::probe::Silent;
 use raytree::scene::{Scene, flat};
+use raytree::shading::ShadingModel;
 use raytree::tracer::draw;
 use raytree::world::World;
 
@@ -83,9 +84,9 @@ fn rays_meet_the_same_triangles() {
 #[test]
 fn pictures_are_the_same() {
     let [kept, flat] = [in_parts(&PLACES), written_out(&PLACES)];
-    let settings = small(&kept, (160, 120));
-    let draw = |scene: &Scene| draw(&World::new(scene.clone(), AccelKind::Wide), &settings, 0);
-    let apart = |a: &Scene, b: &Scene| {
+    let apart = |a: &Scene, b: &Scene, model: Option<ShadingModel>| {
+        let settings = small(a, (160, 120)).with(|s| s.shading = model);
+        let draw = |scene: &Scene| draw(&World::new(scene.clone(), AccelKind::Wide), &settings, 0);
         let [a, b] = [a, b].map(draw);
         let pairs = a.pixels.iter().zip(&b.pixels);
         let far = pairs.filter(|(a, b)| {
@@ -94,15 +95,19 @@ fn pictures_are_the_same() {
         });
         far.count()
     };
-    // Shadows of meshes on each other and on themselves, reflections, squares of a chessboard.
-    assert!(apart(&kept, &flat) <= 4, "{}", apart(&kept, &flat));
+    // Shadows of meshes on each other and on themselves, reflections, squares of a chessboard; light at the corners of triangles.
+    for model in [None, Some(ShadingModel::Flat), Some(ShadingModel::Gouraud)] {
+        let far = apart(&kept, &flat, model);
+        assert!(far <= 4, "{model:?}: {far}");
+    }
     // With another test of triangles, in the mesh as in the world.
     let arithmetic = Arithmetic {
         triangle: TriangleTest::MollerTrumbore,
         ..Arithmetic::default()
     };
     let [kept, flat] = [kept, flat].map(|s| s.computed_with(arithmetic));
-    assert!(apart(&kept, &flat) <= 8, "{}", apart(&kept, &flat));
+    let far = apart(&kept, &flat, None);
+    assert!(far <= 8, "{far}");
 }
 
 #[test]
