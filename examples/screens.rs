@@ -111,14 +111,19 @@ impl Shot {
         Ok(terminal)
     }
 
-    /// The screen as SVG, if it becomes `expected` in time, else as it is then.
+    /// The screen as SVG, as soon as it is `expected` or does not change any more.
     pub fn drawn_as(&self, program: &Path, expected: &str) -> Result<String, Box<dyn Error>> {
         let mut terminal = self.typed(program)?;
         let started = Instant::now();
+        let (mut last, mut since) = (String::new(), started);
         loop {
             terminal.read();
             let svg = svg::drawing(terminal.screen.screen(), self.title);
-            if svg == expected || started.elapsed() > PATIENCE {
+            if svg != last {
+                since = Instant::now();
+                last.clone_from(&svg);
+            }
+            if svg == expected || since.elapsed() > QUIET || started.elapsed() > PATIENCE {
                 return Ok(svg);
             }
         }
