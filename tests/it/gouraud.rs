@@ -337,6 +337,15 @@ fn a_light_faces_away_only_if_it_does_so_at_all_corners() {
     assert!((value - lit / 3.0).abs() < 1e-9, "{value} {lit}");
     let phong = trace_pixel(&world, &by(&settings, ShadingModel::Phong), (32, 32), false);
     assert_eq!(phong.pixel.color, Rgb::BLACK);
+    // Whichever corner shows it.
+    for normals in [
+        "[[-1, 0, 1], [1, 0, 1], [-1, 0, 1]]",
+        "[[-1, 0, 1], [-1, 0, 1], [1, 0, 1]]",
+    ] {
+        let (world, settings) = low_lamp(normals, "");
+        let trace = trace_pixel(&world, &settings, (32, 32), false);
+        assert!(trace.pixel.color.channels()[0] > 0.01, "{normals}");
+    }
     // Away from it at all three: the nearest to it is told.
     let (world, settings) = low_lamp("[[-1, 0, 2], [-1, 0, 1], [-1, 0, 1]]", "");
     let trace = trace_pixel(&world, &settings, (32, 32), false);
