@@ -17,7 +17,8 @@ pub fn switched(effects: Effects, finding: &Finding) -> Result<Effects, String> 
     })
 }
 
-/// Laws that are bent, a shading that is not the scene's, arithmetic other than the default, and effects that the scene calls for and that are left out.
+/// Laws that are bent, a shading that is not the scene's, arithmetic other than the default, and effects that the scene calls for
+/// and that are left out.
 pub fn deviations(settings: &Settings, findings: &[Finding]) -> Option<String> {
     let bends = settings.bends;
     let mut told: Vec<_> = (!bends.is_empty())

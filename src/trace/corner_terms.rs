@@ -42,8 +42,8 @@ impl CornerTerm {
 }
 
 impl View<'_> {
-    /// The three terms that a term of this kind at the hit of a node is blended from; `None` if it is not blended. HitCorners stand in the
-    /// order of the hit's weights.
+    /// The three terms that a term of this kind at the hit of a node is blended from; `None` if it is not blended. Corners
+    /// stand in the order in which the file has them.
     pub fn corner_terms(
         self,
         node: u32,

@@ -8,6 +8,7 @@ use raytree::probe::{Absence, Event, Term, TermKind};
 use raytree::scene::effects::effects;
 use raytree::scene::{self, Effect, Scene, Settings};
 use raytree::shading::{LightKind, ShadingModel};
+use raytree::trace::export::Text;
 use raytree::trace::facts::TreePath;
 use raytree::trace::field::field;
 use raytree::trace::{PixelTrace, View, document, ledger, trace_pixel};
@@ -124,6 +125,21 @@ fn the_corners_of_a_term_are_fields() {
         let red = number(&format!("terms.diffuse:lamp.corners[{i}].r"));
         assert!((red - 0.15 * 2.0 / 5.0f64.sqrt()).abs() < 1e-12, "{red}");
     }
+}
+
+#[test]
+fn text_says_what_is_blended() {
+    let scene = scene::load("gouraud").expect("built in");
+    let settings = settings_of(&scene);
+    let world = World::new(scene, AccelKind::default());
+    let told = |settings: &Settings| {
+        let trace = trace_pixel(&world, settings, (24, 18), false);
+        Text(&document::of(view(&world, settings, &trace))).to_string()
+    };
+    let blended = told(&settings);
+    assert!(blended.contains("+ diffuse lamp blended ("), "{blended}");
+    let phong = told(&by(&settings, ShadingModel::Phong));
+    assert!(phong.contains("+ diffuse lamp ("), "{phong}");
 }
 
 #[test]

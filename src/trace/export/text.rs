@@ -148,7 +148,12 @@ fn details(node: &RayNode, lights: &Lights) -> Vec<String> {
         let light = term.light.as_deref().unwrap_or_default();
         let space = if light.is_empty() { "" } else { " " };
         let (name, value) = (term.term.name(), rgb(term.value));
-        terms.push((light, format!("+ {name}{space}{light} {value}")));
+        let blended = if term.corners.is_some() {
+            " blended"
+        } else {
+            ""
+        };
+        terms.push((light, format!("+ {name}{space}{light}{blended} {value}")));
     }
     terms.sort_by_key(|(light, _)| lights.get(light));
     lines.extend(terms.into_iter().map(|(_, line)| line));
